@@ -68,8 +68,6 @@ FrameValues context_values(const EmitContext& context) {
           {"tangents", context.options.scalar == Scalar::tangents},
           {"with_tangents", context.options.tangents},
           {"directions", kDirections},
-          {"starts", context.options.initial.has_value() &&
-                         has_start_with_derivatives(context.model, context.topology, context.analysis)},
           {"lanes", context.options.lanes > 0 ? std::to_string(context.options.lanes) : ""},
           {"initial", context.options.initial.has_value()},
           {"advances", inputs_have_derivatives(context.model.inputs)},
@@ -157,6 +155,11 @@ std::vector<NumberMember> output_members(const EmitContext& context) {
                                  {"potential_energy", "", "J, of gravity"},
                                  {"applied_power", "", "W, of all applied forces but gravity"}});
   return members;
+}
+
+bool starts_with_derivatives(const EmitContext& context) {
+  return context.options.scalar == Scalar::tangents && context.options.initial.has_value() &&
+         has_start_with_derivatives(context.model, context.topology, context.analysis);
 }
 
 std::string step_function(const SolverSettings& settings) {

@@ -34,6 +34,9 @@ std::vector<NumberMember> parameter_members(const EmitContext& context);
 std::vector<NumberMember> input_members(const EmitContext& context);
 std::vector<NumberMember> output_members(const EmitContext& context);
 
+/// Whether the solver is one with derivatives and gives its start some, see has_start_with_derivatives.
+bool starts_with_derivatives(const EmitContext& context);
+
 /// Name of the solver's step function for the model's integrator.
 std::string step_function(const SolverSettings& settings);
 

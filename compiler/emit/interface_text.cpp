@@ -87,6 +87,7 @@ std::string interface_text(const EmitContext& context) {
                         {"input_members", default_rows(input_members(context))},
                         {"output_members", member_rows(output_members(context))},
                         {"has_quantities", has_quantities(context)},
+                        {"starts", starts_with_derivatives(context)},
                         {"input_rows", input_rows_text(context.model, names)}};
   values.merge(tuned_values(context.programs, true));
   return fill_template(context, "solver.hpp.in", values);

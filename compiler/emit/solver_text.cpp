@@ -61,9 +61,9 @@ std::string start_charts(const InitialState& initial, Scalar scalar) {
   return fmt::format(", {{{}}}", fmt::join(number_texts(initial.charts, scalar), ", "));
 }
 
-/// The coordinates that the start holds, for mbgen/start.hpp.
+/// The coordinates that a start with derivatives holds, for mbgen/start.hpp; "" for a solver without such a start.
 std::string held_table(const EmitContext& context) {
-  if (!has_start_with_derivatives(context.model, context.topology, context.analysis)) return "";
+  if (!starts_with_derivatives(context)) return "";
   const Initial& initial = context.model.initial;
   std::vector<std::string> items;
   for (const std::vector<InitialValue>* given : {&initial.positions, &initial.velocities}) {

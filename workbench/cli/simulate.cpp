@@ -52,12 +52,13 @@ struct Run {
   int signal = 0;                 ///< that stopped it
 };
 
-Run compute(const Compilation& compilation, const EngineChoice& choice, const Engine& engine,
+Run compute(const Compilation& compilation, const EngineChoice& choice, TangentEngine& moving,
             const InputsOverTime& inputs, SimulationSettings settings, const std::optional<ErrorControl>& control,
-            MotionTable& table, ManoeuvreRun* manoeuvre, TangentEngine* tangents) {
+            MotionTable& table, ManoeuvreRun* manoeuvre) {
+  const Engine& engine = moving.engine;
   Start start = initial_start(compilation, inputs.at(0));
   start.state = initial_state(start, engine);
-  if (tangents) start_motion(compilation, start.state, *tangents);
+  start_motion(compilation, start.state, moving);
   print_notes(start_notes(compilation, start));
   if (manoeuvre) manoeuvre->look_at_steering(compilation, start.state, inputs.at(0));
   Progress progress("simulate");
@@ -73,7 +74,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, const En
                         .control = manoeuvre ? manoeuvre->control(settings.step) : InputControl()};
   Run run{judged_motion(task,
                         [&](const Sample& sample) {
-                          table.add(sample, tangents ? output_derivatives(*tangents) : std::vector<double>());
+                          table.add(sample, output_derivatives(moving));
                           progress.show(sample.step, settings.steps);
                         }),
           start.moved};
@@ -132,22 +133,10 @@ void require_derivatives(const SimulateOptions& options, const std::string& engi
     throw UserError(fmt::format("simulate: --sensitivities is of the generated solver, not of --engine {}\n", engine));
 }
 
-/// An engine, and its derivatives where they are asked for.
-struct Machine {
-  std::optional<TangentEngine> tangents;
-  Engine engine;
-};
-
-Machine machine_of(const Compilation& compilation, const EngineChoice& choice,
-                   const std::shared_ptr<const SolverTable>& kept, const std::vector<std::string>& sensitivities) {
-  Machine machine;
-  if (!sensitivities.empty()) {
-    machine.tangents = make_tangent_engine(compilation, choice, sensitivities);
-    machine.engine = machine.tangents->engine;
-  } else {
-    machine.engine = kept ? make_generated_engine(kept, compilation, choice) : make_engine(compilation, choice);
-  }
-  return machine;
+TangentEngine engine_of(const Compilation& compilation, const EngineChoice& choice,
+                        const std::shared_ptr<const SolverTable>& kept, const std::vector<std::string>& sensitivities) {
+  if (!sensitivities.empty()) return make_tangent_engine(compilation, choice, sensitivities);
+  return {nullptr, kept ? make_generated_engine(kept, compilation, choice) : make_engine(compilation, choice)};
 }
 
 /// Replaces --engine auto by the engine that suits the motion, which standard error names. Result: its solver, if it is
@@ -189,9 +178,8 @@ int run(SimulateOptions options) {
   read.insert(read.end(), {options.simulation.input_table, options.manoeuvre});
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
                     std::move(read), derivative_headings(compilation.model, options.sensitivities));
-  Machine machine = machine_of(compilation, choice, kept, options.sensitivities);
-  const Run run = compute(compilation, choice, machine.engine, inputs, settings, control, table, manoeuvre.get(),
-                          machine.tangents ? &*machine.tangents : nullptr);
+  TangentEngine engine = engine_of(compilation, choice, kept, options.sensitivities);
+  const Run run = compute(compilation, choice, engine, inputs, settings, control, table, manoeuvre.get());
   const JudgedMotion& motion = run.motion;
   const SimulationRecord record{compilation,
                                 choice,

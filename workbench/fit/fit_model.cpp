@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/user_error.hpp"
@@ -56,16 +55,15 @@ SimulationSettings settings_to(const FitModel& model, double end) {
 /// Takes the matched outputs at every point, and their derivatives.
 class SeriesRecorder {
  public:
-  SeriesRecorder(const MeasuredFile& file, const std::vector<Channel>& channels, const TangentEngine* tangents)
-      : tangents_(tangents), series_(file.channels.size()) {
+  SeriesRecorder(const MeasuredFile& file, const std::vector<Channel>& channels, const TangentEngine& engine)
+      : engine_(engine), series_(file.channels.size()) {
     for (const MeasuredChannel& one : file.channels)
       outputs_.push_back(static_cast<std::size_t>(channels[static_cast<std::size_t>(one.channel)].output));
-    if (tangents_ != nullptr) derivatives_.assign(static_cast<std::size_t>(tangents_->memory->parameters), series_);
+    if (engine_.memory) derivatives_.assign(static_cast<std::size_t>(engine_.memory->parameters), series_);
   }
   void add(const Sample& sample) {
     add(sample.state.t, series_, [&](std::size_t output) { return sample.outputs.y[output]; });
-    if (tangents_ == nullptr) return;
-    const std::vector<double> derivatives = output_derivatives(*tangents_);
+    const std::vector<double> derivatives = output_derivatives(engine_);
     for (std::size_t p = 0; p < derivatives_.size(); ++p)
       add(sample.state.t, derivatives_[p],
           [&](std::size_t output) { return derivatives[output * derivatives_.size() + p]; });
@@ -84,32 +82,22 @@ class SeriesRecorder {
     }
   }
 
-  const TangentEngine* tangents_;
+  const TangentEngine& engine_;
   std::vector<std::size_t> outputs_;
   std::vector<Series> series_;
   std::vector<std::vector<Series>> derivatives_;
 };
 
-/// An engine, and its derivatives where they are asked for.
-struct Machine {
-  std::optional<TangentEngine> tangents;
-  Engine engine;
-};
-
-Machine machine_of(const FitModel& model, const std::vector<Unknown>& unknowns, const Compilation& compilation,
-                   Care care) {
-  Machine machine;
-  if (care == Care::exact && model.tangents) {
-    std::vector<std::string> names;
-    for (const Unknown& unknown : unknowns)
-      if (unknown.kind == Unknown::Kind::parameter) names.push_back(unknown.name);
-    machine.tangents = make_tangent_engine(model.tangents, compilation, model.choice, names);
-    machine.engine = machine.tangents->engine;
-  } else {
-    machine.engine = model.table ? make_generated_engine(model.table, compilation, model.choice)
-                                 : make_engine(compilation, model.choice);
-  }
-  return machine;
+/// An engine at the parameters of a compilation, with derivatives where they are asked for.
+TangentEngine engine_of(const FitModel& model, const std::vector<Unknown>& unknowns, const Compilation& compilation,
+                        Care care) {
+  if (care != Care::exact || !model.tangents)
+    return {nullptr, model.table ? make_generated_engine(model.table, compilation, model.choice)
+                                 : make_engine(compilation, model.choice)};
+  std::vector<std::string> names;
+  for (const Unknown& unknown : unknowns)
+    if (unknown.kind == Unknown::Kind::parameter) names.push_back(unknown.name);
+  return make_tangent_engine(model.tangents, compilation, model.choice, names);
 }
 
 /// The points of a motion that the data need: those at their times, or three on each side for the cubic between two;
@@ -137,8 +125,8 @@ std::string one_line(const std::string& text) { return text.substr(0, text.find(
 Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
               const std::vector<Unknown>& unknowns, const Compilation& compilation, Care care,
               const std::function<bool()>& is_stopped) {
-  Machine machine = machine_of(model, unknowns, compilation, care);
-  const Engine& engine = machine.engine;
+  TangentEngine moving = engine_of(model, unknowns, compilation, care);
+  const Engine& engine = moving.engine;
   const std::vector<std::string>& assignments = model.arguments.engine.inputs;
   const InputsOverTime inputs =
       file.inputs ? inputs_of(compilation.model, assignments, *file.inputs, model.arguments.simulation.interpolation)
@@ -147,8 +135,8 @@ Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector
   settings.is_stopped = is_stopped;
   const Start start = initial_start(compilation, inputs.at(0));
   const GenericState state = initial_state(start, engine);
-  if (machine.tangents) start_motion(compilation, state, *machine.tangents);
-  SeriesRecorder recorder(file, channels, machine.tangents ? &*machine.tangents : nullptr);
+  start_motion(compilation, state, moving);
+  SeriesRecorder recorder(file, channels, moving);
   Outcome outcome;
   JudgedMotion motion;
   const auto record = [&](const Sample& sample) { recorder.add(sample); };
@@ -203,8 +191,8 @@ void choose_derivatives(FitModel& model, const std::vector<Unknown>& unknowns, c
     const Compilation compilation = compilation_at(model, unknowns, starts);
     std::vector<double> inputs;
     for (const Input& input : compilation.model.inputs) inputs.push_back(input.default_value);
-    Machine machine = machine_of(model, unknowns, compilation, Care::exact);
-    start_motion(compilation, initial_start(compilation, inputs).state, *machine.tangents);
+    TangentEngine moving = engine_of(model, unknowns, compilation, Care::exact);
+    start_motion(compilation, initial_start(compilation, inputs).state, moving);
   } catch (const UserError& error) {
     model.tangents = nullptr;
     model.why_differences = one_line(error.what());

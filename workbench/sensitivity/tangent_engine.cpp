@@ -12,26 +12,40 @@ namespace {
 using Memory = TangentEngine::Memory;
 using Numbers = std::vector<TangentNumber>;
 
-/// Sets the values and keeps the derivatives. Result: whether the values were these.
-bool set_values(const std::vector<double>& values, Numbers& numbers, std::size_t& place) {
-  bool are_same = true;
-  for (const double value : values) {
-    are_same = are_same && numbers[place].value == value;
-    numbers[place++].value = value;
-  }
+/// Sets the values from `place` on and keeps the derivatives.
+void set_values(const std::vector<double>& values, Numbers& numbers, std::size_t& place) {
+  for (const double value : values) numbers[place++].value = value;
+}
+
+/// Whether the values from `place` on are these.
+bool has_values(const std::vector<double>& values, const Numbers& numbers, std::size_t& place) {
+  const bool are_same = std::equal(values.begin(), values.end(), numbers.begin() + static_cast<std::ptrdiff_t>(place),
+                                   [](double value, const TangentNumber& number) { return value == number.value; });
+  place += values.size();
   return are_same;
 }
 
-/// The same of a whole state.
-bool set_state(const GenericState& state, Numbers& numbers) {
-  std::size_t place = 0;
-  bool are_same = true;
-  for (const std::vector<double>* part : {&state.z, &state.zd, &state.x})
-    are_same = set_values(*part, numbers, place) && are_same;
-  set_values({state.t}, numbers, place);  // which a caller keeps as a multiple of its step
+/// Charts of a state, one for each of `count` balls.
+std::vector<double> charts_of(const GenericState& state, std::size_t count) {
   std::vector<double> charts = state.charts;
-  charts.resize(numbers.size() - place);
-  return set_values(charts, numbers, place) && are_same;
+  charts.resize(count);
+  return charts;
+}
+
+void set_state(const GenericState& state, Numbers& numbers) {
+  std::size_t place = 0;
+  for (const std::vector<double>* part : {&state.z, &state.zd, &state.x}) set_values(*part, numbers, place);
+  numbers[place++].value = state.t;
+  set_values(charts_of(state, numbers.size() - place), numbers, place);
+}
+
+/// Whether numbers are those of this state, but for the time, which a caller keeps as a multiple of its step.
+bool has_state(const GenericState& state, const Numbers& numbers) {
+  std::size_t place = 0;
+  for (const std::vector<double>* part : {&state.z, &state.zd, &state.x})
+    if (!has_values(*part, numbers, place)) return false;
+  ++place;
+  return has_values(charts_of(state, numbers.size() - place), numbers, place);
 }
 
 void set_all(const std::vector<double>& values, Numbers& numbers) {
@@ -42,6 +56,16 @@ void set_all(const std::vector<double>& values, Numbers& numbers) {
 /// Copies the values from `place` on.
 void take_values(const Numbers& numbers, std::size_t& place, std::vector<double>& values) {
   for (double& value : values) value = numbers[place++].value;
+}
+
+void take_all(const Numbers& numbers, std::vector<double>& values) {
+  std::size_t place = 0;
+  take_values(numbers, place, values);
+}
+
+void set_rates(const GenericDerivative& derivative, Numbers& numbers) {
+  std::size_t place = 0;
+  for (const std::vector<double>* part : {&derivative.zdd, &derivative.xd}) set_values(*part, numbers, place);
 }
 
 void take_state(const Numbers& numbers, GenericState& state) {
@@ -57,20 +81,17 @@ void forget_derivatives(Numbers& numbers) {
     for (int k = 0; k < kDirections; ++k) number.tangent[k] = std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Whether numbers are those of this state, by their values.
-bool are_of(const GenericState& state, const Numbers& numbers, Numbers& scratch) {
-  scratch = numbers;
-  return set_state(state, scratch);
-}
-
 /// Puts the numbers of this state into `scratch`: those of the motion, or without derivatives beside it. Result:
 /// whether they are of the motion.
 bool find_state(const GenericState& state, TangentPass& pass) {
-  if (are_of(state, pass.after, pass.scratch)) return true;
-  if (are_of(state, pass.before, pass.scratch)) return true;
+  const bool is_after = has_state(state, pass.after), is_of_motion = is_after || has_state(state, pass.before);
+  if (is_of_motion) {
+    pass.scratch = is_after ? pass.after : pass.before;
+  } else {
+    pass.scratch.assign(pass.scratch.size(), 0.0);
+  }
   set_state(state, pass.scratch);
-  for (TangentNumber& number : pass.scratch) number = number.value;
-  return false;
+  return is_of_motion;
 }
 
 /// Keeps what a step or projection left in `scratch`; a state beside the motion is forgotten.
@@ -144,8 +165,9 @@ Status outputs(Memory& memory, const LoadedState& at, const GenericDerivative& d
   const Status status = each_pass(memory, [&](TangentPass& pass) {
     const bool is_of_motion = find_state(at.state, pass);
     std::size_t place = 0;
-    bool are_last = set_values(derivative.zdd, pass.derivative, place);
-    are_last = set_values(derivative.xd, pass.derivative, place) && are_last;
+    const bool are_last =
+        has_values(derivative.zdd, pass.derivative, place) && has_values(derivative.xd, pass.derivative, place);
+    set_rates(derivative, pass.derivative);
     set_all(at.tau, pass.tau);
     const Status found = memory.table->output_values(pass.parameters.data(), pass.inputs.data(), pass.scratch.data(),
                                                      pass.tau.data(), pass.derivative.data(), pass.y.data(), energy);
@@ -154,8 +176,7 @@ Status outputs(Memory& memory, const LoadedState& at, const GenericDerivative& d
   });
   if (!status.ok()) return status;
   values.y.resize(static_cast<std::size_t>(memory.table->outputs));
-  std::size_t place = 0;
-  take_values(memory.passes[0].y, place, values.y);
+  take_all(memory.passes[0].y, values.y);
   values.kinetic_energy = energy[0].value;
   values.potential_energy = energy[1].value;
   values.applied_power = energy[2].value;
@@ -168,9 +189,7 @@ Status constraint_forces(Memory& memory, const LoadedState& at, const GenericDer
   TangentPass& pass = memory.passes[0];
   find_state(at.state, pass);
   Numbers rates = pass.derivative;
-  std::size_t place = 0;
-  set_values(derivative.zdd, rates, place);
-  set_values(derivative.xd, rates, place);
+  set_rates(derivative, rates);
   set_all(at.tau, pass.tau);
   Numbers of_equations(static_cast<std::size_t>(memory.table->multipliers) + 1);
   Numbers of_drives(static_cast<std::size_t>(memory.table->drives) + 1);
@@ -180,15 +199,9 @@ Status constraint_forces(Memory& memory, const LoadedState& at, const GenericDer
   if (!status.ok()) return status;
   lambda.resize(of_equations.size() - 1);
   drive.resize(of_drives.size() - 1);
-  take_values(of_equations, place = 0, lambda);
-  take_values(of_drives, place = 0, drive);
+  take_all(of_equations, lambda);
+  take_all(of_drives, drive);
   return status;
-}
-
-double largest_value(const Numbers& numbers, std::size_t count) {
-  double largest = 0;
-  for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::abs(numbers[i].value));
-  return largest;
 }
 
 Status residuals(Memory& memory, const GenericState& state, Residuals& largest) {
@@ -198,7 +211,11 @@ Status residuals(Memory& memory, const GenericState& state, Residuals& largest) 
   Numbers position(equations + 1), velocity(equations + 1);
   const Status status = memory.table->residuals(pass.parameters.data(), pass.inputs.data(), pass.scratch.data(),
                                                 position.data(), velocity.data());
-  if (status.ok()) largest = {largest_value(position, equations), largest_value(velocity, equations)};
+  if (!status.ok()) return status;
+  std::vector<double> positions(equations), velocities(equations);
+  take_all(position, positions);
+  take_all(velocity, velocities);
+  largest = {largest_absolute(positions), largest_absolute(velocities)};
   return status;
 }
 
@@ -312,6 +329,7 @@ TangentEngine make_tangent_engine(const std::shared_ptr<const TangentTable>& tab
 }
 
 std::vector<double> output_derivatives(const TangentEngine& engine) {
+  if (!engine.memory) return {};
   const Memory& memory = *engine.memory;
   std::vector<double> derivatives;
   for (int output = 0; output < memory.table->outputs; ++output)

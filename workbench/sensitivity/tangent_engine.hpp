@@ -20,7 +20,8 @@ struct TangentPass {
   std::vector<TangentNumber> history;  ///< memory of the multistep method, in numbers for their alignment
 };
 
-/// An Engine over the solver with derivatives, and what beside it remembers them. `engine` refers to the rest.
+/// An Engine over the solver with derivatives, and the memory of these, to which `engine` refers; or any other engine,
+/// which has no memory and no derivatives.
 struct TangentEngine {
   struct Memory {
     std::shared_ptr<const TangentTable> table;
@@ -43,14 +44,14 @@ TangentEngine make_tangent_engine(const std::shared_ptr<const TangentTable>& tab
 /// Headings of the derivatives, in the order of output_derivatives: "d(OUTPUT)/d(PARAMETER)".
 std::vector<Heading> derivative_headings(const Model& model, const std::vector<std::string>& parameters);
 
-/// Derivatives of the outputs that the engine gave last: outputs x parameters, row by row. NaN where the state was none
-/// of the motion.
+/// Derivatives of the outputs that the engine gave last: outputs x parameters, row by row; none of an engine without
+/// memory. NaN where the state was none of the motion.
 std::vector<double> output_derivatives(const TangentEngine& engine);
 
 /// Starts the motion at this state, which initial_start found, with the derivatives that the model's `initial` gives
 /// it: coordinates that it names are held and the others follow, or a static equilibrium moves with the parameters.
-/// Fails: UserError where `initial` names more coordinates than the loops leave free and locks none, and where the
-/// equilibrium is not determined.
+/// An engine without memory stays as it is. Fails: UserError where `initial` names more coordinates than the loops
+/// leave free and locks none, and where the equilibrium is not determined.
 void start_motion(const Compilation& compilation, const GenericState& start, TangentEngine& engine);
 
 }  // namespace mbgen

@@ -121,6 +121,7 @@ void follow_equilibrium(const Equilibrium& rest, const TangentPass& pass, Number
 }  // namespace
 
 void start_motion(const Compilation& compilation, const GenericState& start, TangentEngine& engine) {
+  if (!engine.memory) return;
   const TangentTable& table = *engine.memory->table;
   const Initial& initial = compilation.model.initial;
   const Equilibrium rest(compilation, table);
