@@ -5,9 +5,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=$(realpath "$1")
 model=$here/../../../models/robots/parallel_ankle.json
-. "$here/python_with_numpy.sh"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$here/python_and_scratch.sh"
 cd "$scratch"
 "$mbgen" generate "$model" --c-api --out made >/dev/null
 c++ -std=c++17 -O1 -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -Imade made/parallel_ankle.cpp \

@@ -4,9 +4,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=$(realpath "$1")
-. "$here/python_with_numpy.sh"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$here/python_and_scratch.sh"
 "$mbgen" generate "$here/../../data/models/driven_cart.json" --c-api --out "$scratch/driven_cart" >/dev/null
 cmake -S "$scratch/driven_cart" -B "$scratch/driven_cart/build" >/dev/null
 cmake --build "$scratch/driven_cart/build" >/dev/null

@@ -6,9 +6,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=$(realpath "$1")
 data=$here/../../data
-. "$here/python_with_numpy.sh"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$here/python_and_scratch.sh"
 cd "$scratch"
 
 build() {  # NAME MODEL

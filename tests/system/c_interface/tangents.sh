@@ -5,9 +5,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mbgen=$(realpath "$1")
 model=$here/../../../models/sensitivities/four_bar.json
-. "$here/python_with_numpy.sh"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+. "$here/python_and_scratch.sh"
 cd "$scratch"
 "$mbgen" generate "$model" --c-api --sensitivities k,l2 --name linkage --out made >/dev/null
 grep -q 'linkage_tangents.cpp' made/CMakeLists.txt
