@@ -10,8 +10,9 @@
 
 namespace mbgen {
 
-/// A flag per tree coordinate: 1 for the given ones, or for the locked ones alone where the loops leave fewer free.
-/// None where the start does not follow from these alone, since other given values are guesses.
+/// A flag per tree coordinate: 1 for the given ones, or for the locked ones alone where they are more than a loop block
+/// leaves free, and for independent coordinates beside them, from which a start closes its loops. None where the start
+/// does not follow from held coordinates alone, but is the nearest pose to given values.
 std::optional<std::vector<unsigned char>> held_at_start(const Topology& topology, const Analysis& analysis,
                                                         const std::vector<InitialValue>& given);
 

@@ -98,6 +98,32 @@ TEST_F(Sensitivities, AStaticEquilibriumMovesWithItsParameters) {
   }
 }
 
+/// Fewer given positions than freedoms: independent coordinates stay beside them, as where the start is closed; a pose
+/// that is only the nearest one to a given value is refused.
+TEST_F(Sensitivities, AStartHoldsWhatItIsClosedFrom) {
+  std::ifstream stream(kSource + "/models/sensitivities/five_bar.json");
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  const auto started = [&](const std::string& positions) {
+    const std::size_t first = text.find("\"initial\""), last = text.find("\"solver\"");
+    write("started.json",
+          text.substr(0, first) + "\"initial\": { \"positions\": { " + positions + " } },\n" + text.substr(last));
+    return mbgen("simulate started.json --sensitivities l2 --duration 0.001 --out by.csv");
+  };
+  const Outcome by_independent = started("\"pin_2\": 0.2");
+  ASSERT_EQ(by_independent.exit_code, 0) << by_independent.err;
+  const auto at_start = [&](const std::string& l2) {
+    EXPECT_EQ(
+        mbgen("simulate started.json --engine generic --duration 0.001 --set l2=" + l2 + " --out at.csv").exit_code, 0);
+    return table("at.csv").at(0, "x_2 [m]");
+  };
+  const double difference = (at_start("1.5001") - at_start("1.4999")) / 2e-4;
+  const Table by = table("by.csv");
+  EXPECT_NEAR(by.rows[0][column_of(by, "x_2", "l2")], difference, 1e-8);
+  const Outcome nearest = started("\"pin_1\": 0.3");
+  EXPECT_EQ(nearest.exit_code, 1);
+  EXPECT_NE(nearest.err.find("do not tell which coordinates are held"), std::string::npos) << nearest.err;
+}
+
 TEST_F(Sensitivities, RefusesWhatHasNoDerivatives) {
   const auto refused = [&](const std::string& options, const std::string& text) {
     const Outcome run = mbgen("simulate '" + kSource + "/models/sensitivities/four_bar.json' --out f.csv " + options);

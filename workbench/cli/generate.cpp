@@ -117,7 +117,7 @@ void require_start(const GenerateOptions& options, const Compilation& compilatio
   throw UserError(
       "generate: --c-api with --sensitivities needs a start with derivatives: \"initial\" without a static "
       "equilibrium, "
-      "and with \"locked\": true where it gives more than the loops leave free\n"
+      "that gives or locks as many values as the loops leave free\n"
       "  hint: leave out --c-api: in C++ assemble_holding holds what the caller wants\n");
 }
 

@@ -34,10 +34,12 @@ void hold(const Compilation& compilation, const TangentTable& table, const Tange
       held ? table.project_holding(pass.parameters.data(), pass.inputs.data(), held->data(), state.data())
            : Status{Code::loop_singular, -1};
   if (status.code == Code::loop_singular)
-    throw UserError(fmt::format(
-        "sensitivities: the {} of \"initial\" are more than the loops leave free, their derivatives are not unique\n"
-        "  hint: \"locked\": true marks the ones that stay when a parameter changes\n",
-        what));
+    throw UserError(
+        fmt::format("sensitivities: the {} of \"initial\" do not tell which coordinates are held when a parameter "
+                    "changes: the start is the "
+                    "nearest one to them\n"
+                    "  hint: give as many as the loops leave free, or mark as many with \"locked\": true\n",
+                    what));
   require(compilation, status);
 }
 
