@@ -1,5 +1,4 @@
 # Install rules and the Debian package: the binary, the runtime's headers, and how CMake and pkg-config find them.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # A directory of its own: -I/usr/include would bring the headers of this machine into a cross-compilation.
@@ -38,6 +37,9 @@ install(FILES ${mbgen_words}/_mbgen DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/zsh
 install(FILES ${mbgen_words}/mbgen.fish DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/fish/vendor_completions.d OPTIONAL)
 
 install(TARGETS mbgen RUNTIME)
+if(TARGET mbgen_least_squares)
+  install(TARGETS mbgen_least_squares LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/mbgen)
+endif()
 install(DIRECTORY runtime/include/mbgen DESTINATION ${mbgen_include_directory} FILES_MATCHING PATTERN *.hpp)
 install(FILES ${package_files}/mbgenConfig.cmake ${package_files}/mbgenFunctions.cmake
   ${package_files}/mbgenConfigVersion.cmake DESTINATION ${package_directory})

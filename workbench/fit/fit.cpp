@@ -289,7 +289,7 @@ std::string description_of(const FitArguments& arguments, const FitProblem& prob
 }
 
 /// Searches, with rounds for noises that were not given. Fails: UserError where there is no result at the start.
-void search(FitProblem& problem, Search& search, const FitArguments& arguments, BlockedSignals& signals,
+void search(Method method, FitProblem& problem, Search& search, const FitArguments& arguments, BlockedSignals& signals,
             FitResult& result) {
   Eigen::VectorXd at(static_cast<Eigen::Index>(problem.unknowns.size()));
   for (std::size_t u = 0; u < problem.unknowns.size(); ++u)
@@ -306,14 +306,12 @@ void search(FitProblem& problem, Search& search, const FitArguments& arguments, 
   for (const std::string& note : unit_doubts(problem, search.unscaled(at))) print_message("{}", note);
   StatusLine line;
   for (int round = 0; round < kMostRounds; ++round) {
-    const LeastSquaresResult found = solve(
-        search.problem(at,
-                       [&](int iteration, double cost) {
-                         if (line.is_due())
-                           line.show(fmt::format("fit: iteration {}, sum of squares {:.6g}", iteration, 2 * cost));
-                         return signals.taken() == 0;
-                       }),
-        arguments.most_iterations);
+    const LeastSquares squares = search.problem(at, [&](int iteration, double cost) {
+      if (line.is_due()) line.show(fmt::format("fit: iteration {}, sum of squares {:.6g}", iteration, 2 * cost));
+      return signals.taken() == 0;
+    });
+    LeastSquaresResult found;
+    method(squares, arguments.most_iterations, found);
     line.clear();
     if (signals.taken() != 0) throw Interrupted{signals.taken()};
     at = found.unknowns;
@@ -331,9 +329,7 @@ void search(FitProblem& problem, Search& search, const FitArguments& arguments, 
 }  // namespace
 
 FitResult fit_model_to_data(const FitArguments& arguments) {
-  if (!has_ceres())
-    throw UserError(
-        "fit: this mbgen is built without Ceres: install it (Debian: apt-get install libceres-dev) and build again\n");
+  const Method method = least_squares_method();
   if (arguments.data.empty() != arguments.match.empty() || (arguments.data.empty() && arguments.targets.empty()))
     throw UserError("fit: give --data with --match, or --target, or both\n");
   const Loss loss = loss_of(arguments.loss);
@@ -366,7 +362,7 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
                    .derivatives = kind_of_derivatives(problem)};
   if (!model.why_differences.empty()) print_message("fit: derivatives by differences: {}\n", model.why_differences);
   Search steps(problem, loss, journal.get());
-  search(problem, steps, arguments, signals, result);
+  search(method, problem, steps, arguments, signals, result);
   Reduced last;
   if (!steps.evaluate(result.values, true, last)) {
     if (signals.taken() != 0) throw Interrupted{signals.taken()};

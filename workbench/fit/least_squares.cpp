@@ -1,91 +1,48 @@
-// The only source that includes Ceres, whose user guide (version 2.1) documents its functions and options.
-
 #include "workbench/fit/least_squares.hpp"
 
-#ifdef MBGEN_CERES
-#include <ceres/ceres.h>
-#include <glog/logging.h>
-#endif
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "compiler/text/user_error.hpp"
 
 namespace mbgen::fit {
-
-#ifdef MBGEN_CERES
 namespace {
 
-constexpr double kSmallStep = 1e-10, kSmallGradient = 1e-10, kSmallChange = 1e-12;
+namespace fs = std::filesystem;
 
-class ReducedCost : public ceres::CostFunction {
- public:
-  explicit ReducedCost(const LeastSquares& problem) : problem_(problem) {
-    set_num_residuals(problem.rows);
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.start.size()));
-  }
-  bool Evaluate(const double* const* unknowns, double* residuals, double** jacobians) const override {
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::Index size = problem_.start.size();
-    const bool with_jacobian = jacobians != nullptr && jacobians[0] != nullptr;
-    Reduced reduced;
-    if (!problem_.evaluate(Eigen::Map<const Eigen::VectorXd>(unknowns[0], size), with_jacobian, reduced)) return false;
-    Eigen::Map<Eigen::VectorXd>(residuals, problem_.rows) = reduced.residuals;
-    if (!with_jacobian) return true;
-    if (size == 1) {
-      Eigen::Map<Eigen::VectorXd>(jacobians[0], problem_.rows) = reduced.jacobian.col(0);
-    } else {
-      Eigen::Map<Rows>(jacobians[0], problem_.rows, size) = reduced.jacobian;
-    }
-    return true;
-  }
+#ifdef MBGEN_CERES
+constexpr bool kWithCeres = true;
+constexpr const char* kInstalled = MBGEN_CERES;
+#else
+constexpr bool kWithCeres = false;
+constexpr const char* kInstalled = "";
+#endif
+constexpr const char* kLibrary = "mbgen_least_squares.so";
 
- private:
-  const LeastSquares& problem_;
-};
-
-class Watch : public ceres::IterationCallback {
- public:
-  explicit Watch(const LeastSquares& problem) : problem_(problem) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    return problem_.goes_on(summary.iteration, summary.cost) ? ceres::SOLVER_CONTINUE : ceres::SOLVER_ABORT;
-  }
-
- private:
-  const LeastSquares& problem_;
-};
+/// Beside the running program, where it is built; below its installation's libraries otherwise.
+fs::path library_path() {
+  const fs::path programs = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path built = programs / kLibrary;
+  return fs::exists(built) ? built : (programs / kInstalled / kLibrary).lexically_normal();
+}
 
 }  // namespace
 
-bool has_ceres() { return true; }
-
-LeastSquaresResult solve(const LeastSquares& problem, int most) {
-  FLAGS_minloglevel = google::GLOG_FATAL;  // a step that the model cannot take is no news
-  LeastSquaresResult result;
-  result.unknowns = problem.start;
-  ceres::Problem of_ceres;
-  of_ceres.AddResidualBlock(new ReducedCost(problem), nullptr, result.unknowns.data());
-  for (int i = 0; i < static_cast<int>(problem.start.size()); ++i) {
-    of_ceres.SetParameterLowerBound(result.unknowns.data(), i, problem.lower[i]);
-    of_ceres.SetParameterUpperBound(result.unknowns.data(), i, problem.upper[i]);
-  }
-  Watch watch(problem);
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.max_num_iterations = most;
-  options.function_tolerance = kSmallChange;
-  options.gradient_tolerance = kSmallGradient;
-  options.parameter_tolerance = kSmallStep;
-  options.callbacks.push_back(&watch);
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &of_ceres, &summary);
-  result.cost = summary.final_cost;
-  result.iterations = static_cast<int>(summary.iterations.size()) - 1;
-  result.converged = summary.termination_type == ceres::CONVERGENCE;
-  result.message = summary.message;
-  return result;
+Method least_squares_method() {
+  if (!kWithCeres)
+    throw UserError(
+        "fit: this mbgen is built without Ceres: install it (Debian: apt-get install libceres-dev) and build again\n");
+  const fs::path path = library_path();
+  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* method = library == nullptr ? nullptr : ::dlsym(library, "mbgen_least_squares");
+  if (method == nullptr)
+    throw UserError(
+        fmt::format("fit: {}\n  it belongs to this mbgen and needs Ceres (Debian: apt-get install "
+                    "libceres3); install mbgen whole\n",
+                    ::dlerror()));
+  return reinterpret_cast<Method>(method);
 }
-#else
-bool has_ceres() { return false; }
-
-LeastSquaresResult solve(const LeastSquares& problem, int) { return {problem.start, 0, 0, false, "no Ceres"}; }
-#endif
 
 }  // namespace mbgen::fit

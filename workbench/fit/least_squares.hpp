@@ -1,5 +1,5 @@
 #pragma once
-// Bounded nonlinear least squares, by Ceres (S. Agarwal, K. Mierle and others) where mbgen is built with it.
+// Bounded nonlinear least squares, by Ceres (S. Agarwal, K. Mierle and others).
 
 #include <Eigen/Core>
 #include <functional>
@@ -29,12 +29,13 @@ struct LeastSquaresResult {
   std::string message;  ///< of the method, for people
 };
 
-/// Whether mbgen is built with Ceres.
-bool has_ceres();
-
 /// Levenberg-Marquardt in a trust region, with bounds, until steps are below 1e-10 of the unknowns or lower the
-/// sum of squares by less than 1e-12 of it, the gradient vanishes, or `most` iterations. Requires: has_ceres(); the
-/// start lies between the bounds and evaluates.
-LeastSquaresResult solve(const LeastSquares& problem, int most);
+/// sum of squares by less than 1e-12 of it, the gradient vanishes, or `most` iterations. Requires: the start lies between
+/// the bounds and evaluates.
+using Method = void (*)(const LeastSquares& problem, int most, LeastSquaresResult& result);
+
+/// The method of the library beside mbgen (with Ceres, two dozen more libraries are loaded: fit alone waits for them).
+/// Fails: UserError, where mbgen is built without Ceres or its library is not found.
+Method least_squares_method();
 
 }  // namespace mbgen::fit

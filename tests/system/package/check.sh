@@ -197,7 +197,7 @@ check_debian() {
   package=$(ls "$scratch"/packages/mbgen_*.deb)
   dpkg-deb -x "$package" "$scratch/root"
   depends=$(dpkg-deb -f "$package" Depends)
-  for library in $(readelf -d "$scratch/root/usr/bin/mbgen" | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p'); do
+  for library in $(readelf -d "$scratch/root/usr/bin/mbgen" "$scratch"/root/usr/lib/mbgen/*.so | sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p'); do
     # Not that of another architecture; of OpenBLAS any variant will do.
     owner=$(dpkg-query -S "*/$library" 2>/dev/null |
       sed -nE "s/:$(dpkg --print-architecture): .*//;T;s/-(serial|pthread|openmp)$//;p;q")
