@@ -40,6 +40,41 @@ class Sensitivities : public CommandLine {
     return worst;
   }
 
+  /// Largest error of the derivatives by a parameter of this value, over the largest one of an output, against central
+  /// differences of motions of the generic engine that CVODE integrates.
+  double worst_beside_cvode(const std::string& model, const std::string& name, double value, double part,
+                            const std::string& integrator, const std::string& times) {
+    const std::string run = "simulate '" + kSource + "/models/" + model + ".json' " + times;
+    const Outcome tangents = mbgen(run + " --out by.csv --sensitivities " + name + " --integrator " + integrator);
+    EXPECT_EQ(tangents.exit_code, 0) << tangents.err;
+    const Table by = table("by.csv");
+    Table sides[2];
+    for (const int side : {0, 1}) {
+      const double at = value * (side == 0 ? 1 - part : 1 + part);
+      const Outcome judge = mbgen(fmt::format(
+          "{} --out at.csv --engine generic --integrator cvode --tolerance 1e-12 --set {}={}", run, name, at));
+      EXPECT_EQ(judge.exit_code, 0) << judge.err;
+      sides[side] = table("at.csv");
+    }
+    double worst = 0;
+    for (const std::string& heading : sides[0].names) {
+      const std::string output = heading.substr(0, heading.find(" ["));
+      const bool is_output = std::ranges::any_of(
+          by.names, [&](const std::string& column) { return column.starts_with("d(" + output + ")/d("); });
+      if (!is_output) continue;
+      const std::size_t column = column_of(by, output, name);
+      double error = 0, largest = 0;
+      for (std::size_t row = 0; row < by.rows.size(); ++row) {
+        const double difference = (sides[1].at(row, heading) - sides[0].at(row, heading)) / (2 * part * value);
+        error = std::max(error, std::abs(by.rows[row][column] - difference));
+        largest = std::max(largest, std::abs(difference));
+      }
+      EXPECT_GT(largest, 0) << output;
+      worst = std::max(worst, error / largest);
+    }
+    return worst;
+  }
+
   static std::size_t column_of(const Table& table, const std::string& output, const std::string& parameter) {
     const std::string name = "d(" + output + ")/d(" + parameter + ") [";
     for (std::size_t c = 0; c < table.names.size(); ++c)
@@ -71,6 +106,22 @@ TEST_F(Sensitivities, FiveBarByLengthsAndMasses) {
   const double fine = worst_of("five_bar", kFiveBarColumns, "--step 1e-3", "fine.csv");
   EXPECT_LT(fine, 1e-6);
   EXPECT_GT(worst_of("five_bar", kFiveBarColumns, "--step 4e-3", "coarse.csv") / fine, 64);
+}
+
+/// Oil of 1.2e9 Pa, a valve with a lag and a sampled controller.
+TEST_F(Sensitivities, OfAHydraulicArmAreThoseOfCvode) {
+  const std::string times = "--duration 0.5 --step 2.5e-4 --every 40";
+  EXPECT_LT(worst_beside_cvode("hydraulic_arm", "edge", 3.6e-7, 1e-4, "rk4", times), 1e-5);
+  EXPECT_LT(worst_beside_cvode("hydraulic_arm", "leak", 4e-12, 1e-4, "rk4", times), 1e-6);
+}
+
+/// A corner of a vehicle in rubber, with modes up to 730 Hz.
+TEST_F(Sensitivities, OfACornerInRubberAreThoseOfCvode) {
+  const auto worst = [&](const std::string& integrator, const std::string& steps) {
+    return worst_beside_cvode("rubber_wishbone", "cornering", 2500, 3e-3, integrator, "--duration 0.3 " + steps);
+  };
+  EXPECT_LT(worst("rk4", "--step 2e-5 --every 500"), 1e-4);
+  EXPECT_LT(worst("rosenbrock", "--step 2.5e-4 --every 40"), 1e-2);  // of its acceleration; 1e-4 of all else
 }
 
 /// A mass that hangs on two springs in a row of bodies, at rest: by the closed form.
