@@ -208,11 +208,19 @@ std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<dou
   if (!analysis) return {};
   Compilation anew{c.model, c.topology, std::move(*analysis)};
   anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.form());
+  if (c.directional) add_directional(anew);
   return anew;
 }
 
+void add_directional(Compilation& c) {
+  c.directional = std::make_shared<const DirectionalPrograms>(
+      directional_programs(c.model, c.topology, c.analysis, c.whole.programs));
+}
+
 Result<LinearSystem> linearise(const Compilation& c, const OperatingPoint& point) {
-  return linearise(c.model, c.topology, c.analysis, c.whole.programs, point);
+  if (c.directional) return linearise(c.model, c.topology, c.analysis, *c.directional, point);
+  return linearise(c.model, c.topology, c.analysis,
+                   directional_programs(c.model, c.topology, c.analysis, c.whole.programs), point);
 }
 
 Result<LinearSystem> linearise_by_any_choice(const Compilation& c, const OperatingPoint& point) {

@@ -2,6 +2,7 @@
 // The whole pipeline as a page one reads aloud.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ struct Compilation {
   WholePrograms whole = {};      ///< after the passes: derivatives are taken of them
   WrittenPrograms emitted = {};  ///< contracted, unless for reading
   Spelling spelling = Spelling::fast;
+  std::shared_ptr<const DirectionalPrograms> directional = {};  ///< of `whole`, after add_directional
 
   Form form() const { return whole.programs.form; }
   /// Whether add_programs has run to its end.
@@ -94,6 +96,9 @@ std::vector<EmittedFile> emit_tangents_for_loading(const Compilation& compilatio
 /// The model with partitions of its loop blocks chosen for one position (analysis/choice_at.hpp) and its `whole`
 /// programs alone; none where no other choice helps. z: of every coordinate, loops closed.
 std::optional<Compilation> chosen_at(const Compilation& compilation, const std::vector<double>& z);
+
+/// Keeps the derivatives of the whole programs: for models that are linearised at many points.
+void add_directional(Compilation& compilation);
 
 /// Linearises the model, see linearisation.hpp.
 Result<LinearSystem> linearise(const Compilation& compilation, const OperatingPoint& point);

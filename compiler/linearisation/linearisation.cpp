@@ -14,25 +14,6 @@
 namespace mbgen {
 namespace {
 
-/// The programs with their derivatives along a direction.
-struct DifferentiatedPrograms {
-  Program closure, accelerations, multipliers, outputs;
-  bool has_closure = false, has_multipliers = false;
-};
-
-DifferentiatedPrograms differentiated(const Programs& programs, const std::vector<DirectionGroup>& groups) {
-  DifferentiatedPrograms all;
-  all.has_closure = !programs.closure.outputs.empty();
-  all.has_multipliers = !programs.multipliers.outputs.empty();
-  if (all.has_closure) all.closure = differentiate(programs.closure, seeds_of(programs.closure, groups));
-  all.accelerations = differentiate(programs.accelerations, seeds_of(programs.accelerations, groups));
-  if (all.has_multipliers) {
-    all.multipliers = differentiate(programs.multipliers, seeds_of(programs.multipliers, groups));
-  }
-  all.outputs = differentiate(programs.outputs, seeds_of(programs.outputs, groups));
-  return all;
-}
-
 /// Values of an operating point, by the groups of the programs' inputs.
 Groups known_at(const Model& model, const Topology& topology, const OperatingPoint& point) {
   Groups known = {{Array::z, point.z},
@@ -66,9 +47,8 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 /// Derivatives at one point along any direction.
 class Derivatives {
  public:
-  Derivatives(const DifferentiatedPrograms& programs, const std::vector<DirectionGroup>& groups, Groups known,
-              int outputs)
-      : programs_(programs), groups_(groups), known_(std::move(known)), outputs_(outputs) {}
+  Derivatives(const DirectionalPrograms& programs, Groups known, int outputs)
+      : programs_(programs), groups_(programs.groups), known_(std::move(known)), outputs_(outputs) {}
 
   /// Computes the accelerations and the other inputs of the outputs. Result: a loop block that is singular here.
   std::optional<int> solve() {
@@ -155,7 +135,7 @@ class Derivatives {
     return evaluate(program, known_);
   }
 
-  const DifferentiatedPrograms& programs_;
+  const DirectionalPrograms& programs_;
   const std::vector<DirectionGroup>& groups_;
   Groups known_;
   int outputs_;
@@ -207,15 +187,28 @@ std::optional<Diagnostic> near_pole(const Model& model, const Topology& topology
 
 }  // namespace
 
+DirectionalPrograms directional_programs(const Model& model, const Topology& topology, const Analysis& analysis,
+                                         const Programs& programs) {
+  using enum Array;
+  DirectionalPrograms all;
+  all.groups = direction_of(solver_layout(model, topology, analysis), {z, zd, x, in, zdd, lambda, drive});
+  const auto along = [&](const Program& program) { return differentiate(program, seeds_of(program, all.groups)); };
+  all.has_closure = !programs.closure.outputs.empty();
+  all.has_multipliers = !programs.multipliers.outputs.empty();
+  if (all.has_closure) all.closure = along(programs.closure);
+  all.accelerations = along(programs.accelerations);
+  if (all.has_multipliers) all.multipliers = along(programs.multipliers);
+  all.outputs = along(programs.outputs);
+  return all;
+}
+
 Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
-                               const Programs& programs, const OperatingPoint& point) {
+                               const DirectionalPrograms& programs, const OperatingPoint& point) {
   if (const auto pole = near_pole(model, topology, point)) return *pole;
   using enum Array;
   const SolverLayout layout = solver_layout(model, topology, analysis);
   const int outputs = layout.outputs, inputs = layout.inputs;
-  const std::vector<DirectionGroup> groups = direction_of(layout, {z, zd, x, in, zdd, lambda, drive});
-  const DifferentiatedPrograms all = differentiated(programs, groups);
-  Derivatives derivatives(all, groups, known_at(model, topology, point), outputs);
+  Derivatives derivatives(programs, known_at(model, topology, point), outputs);
   if (const std::optional<int> block = derivatives.solve())
     return singular(model, topology.loops[topology.blocks[static_cast<std::size_t>(*block)].loops.front()]);
 

@@ -18,12 +18,22 @@ namespace mbgen {
 /// Number of states that are positions; they come first.
 Eigen::Index position_count(const LinearSystem& system);
 
-/// Linearises with the symbolic program's derivatives, by forward differentiation (program.hpp) along each state and
-/// input. programs: after the passes, complete. Fails: a loop block with a singular frozen partition at the point
-/// (names its loop), derivatives that are not finite (names state or input). Cost: one run of the differentiated
-/// programs per state and input.
+/// The programs of a model with their derivatives along a direction of states and inputs, by forward differentiation
+/// (program.hpp).
+struct DirectionalPrograms {
+  std::vector<DirectionGroup> groups;
+  Program closure, accelerations, multipliers, outputs;
+  bool has_closure = false, has_multipliers = false;
+};
+
+/// programs: after the passes, complete. Points to linearise at share them.
+DirectionalPrograms directional_programs(const Model& model, const Topology& topology, const Analysis& analysis,
+                                         const Programs& programs);
+
+/// Linearises by derivatives along each state and input. Fails: a loop block with a singular frozen partition at the
+/// point (names its loop), derivatives that are not finite. Cost: one run of the programs per state and input.
 Result<LinearSystem> linearise(const Model& model, const Topology& topology, const Analysis& analysis,
-                               const Programs& programs, const OperatingPoint& point);
+                               const DirectionalPrograms& programs, const OperatingPoint& point);
 
 /// A solution s = Re(shape exp(eigenvalue t)) of s' = A s; of a conjugate pair the one with positive imaginary part.
 struct Mode {

@@ -190,6 +190,24 @@ TEST_F(Fit, FindsAHardpointFromTheCurveOfARig) {
   EXPECT_EQ(result["values"], 11);
 }
 
+/// Both axles have a column of this name: the files' names tell them apart.
+TEST_F(Fit, TakesCurvesOfTwoAxles) {
+  const std::string car = kSource + "/models/axles/coach.json";
+  for (const char* axle : {"front", "rear"})
+    ASSERT_EQ(mbgen(fmt::format("kc '{}' {} --points 3 -o rig", car, axle)).exit_code, 0);
+  const std::string words = "fit '" + car + "' --data rig/front_parallel_travel.csv,rig/rear_parallel_travel.csv " +
+                            "--free air_pressure_rear --json --match kc:front:load_left:50";
+  const Json result = json_of(words + ",kc:rear:load_left:50");
+  EXPECT_NEAR(value_of(result, "air_pressure_rear"), 672e3, 1);
+  EXPECT_EQ(result["values"], 6);
+  const Outcome unmatched = mbgen(words);
+  EXPECT_EQ(unmatched.exit_code, 1);
+  EXPECT_NE(unmatched.err.find("rear_parallel_travel.csv: is of the axle rear, which no --match names\n  hint: --match "
+                               "kc:rear:COLUMN"),
+            std::string::npos)
+      << unmatched.err;
+}
+
 TEST_F(Fit, TakesSingleNumbersAndModesAsTargets) {
   // Frequency 2 Hz and a start at 0.3 m: stiffness / mass = (4 pi)^2.
   const std::string words = "fit block.json --target mode:1:frequency=2:0.01,start:x=0.3:1e-3 --json ";

@@ -53,10 +53,11 @@ std::vector<MeasuredFile> read_files(const FitArguments& arguments, const FitMod
                                      std::vector<Channel>& channels) {
   std::vector<MeasuredFile> files;
   std::vector<std::string> notes;
+  RigReports reports;
   const auto read = [&](const std::vector<std::string>& paths, bool is_held_out) {
     for (const std::string& path : paths) {
       const MeasuredTable table = read_measured_table(path);
-      files.push_back(time_column(table) < 0 ? read_rig(table, model, channels, is_held_out, notes)
+      files.push_back(time_column(table) < 0 ? read_rig(table, model, reports, channels, is_held_out, notes)
                                              : read_run(table, model.model, channels, is_held_out, notes));
     }
   };

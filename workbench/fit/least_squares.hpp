@@ -30,8 +30,8 @@ struct LeastSquaresResult {
 };
 
 /// Levenberg-Marquardt in a trust region, with bounds, until steps are below 1e-10 of the unknowns or lower the
-/// sum of squares by less than 1e-12 of it, the gradient vanishes, or `most` iterations. Requires: the start lies between
-/// the bounds and evaluates.
+/// sum of squares by less than 1e-12 of it, the gradient vanishes, or `most` iterations. Requires: the start lies
+/// between the bounds and evaluates.
 using Method = void (*)(const LeastSquares& problem, int most, LeastSquaresResult& result);
 
 /// The method of the library beside mbgen (with Ceres, two dozen more libraries are loaded: fit alone waits for them).

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
@@ -63,6 +65,28 @@ const KcTable& curve_in(const MeasuredTable& table, const KcReport& report) {
                   table.path, report.axle, report.tables.front().name, known));
 }
 
+/// The axle whose curve a file holds: the one in its name, or the only one that is matched. Fails: UserError.
+std::string axle_of(const MeasuredTable& table, const Model& model, const std::vector<Channel>& channels) {
+  std::set<std::string> matched;
+  for (const Channel& channel : channels)
+    if (channel.is_of_rig()) matched.insert(channel.axle);
+  if (matched.empty())
+    throw UserError(fmt::format("{}: needs a column \"t\", or --match kc:AXLE:COLUMN for points of a rig's curve\n",
+                                table.header()));
+  const std::string stem = std::filesystem::path(table.path).stem().string();
+  std::string named;
+  for (const Axle& axle : model.axles)
+    if (axle.name.size() > named.size() && stem.find(axle.name + "_") != std::string::npos) named = axle.name;
+  if (named.empty() && matched.size() == 1) return *matched.begin();
+  if (matched.contains(named)) return named;
+  throw UserError(
+      named.empty() ? fmt::format("{}: its name tells none of the matched axles {}\n  hint: call it like its curve, as "
+                                  "{}_parallel_travel.csv\n",
+                                  table.path, fmt::join(matched, ", "), *matched.begin())
+                    : fmt::format("{}: is of the axle {}, which no --match names\n  hint: --match kc:{}:COLUMN\n",
+                                  table.path, named, named));
+}
+
 /// Abscissas of the points, in SI units. Fails: UserError with file and line.
 std::vector<double> abscissas_of(const MeasuredTable& table, const Heading& heading) {
   for (const Column& column : table.columns) {
@@ -78,18 +102,16 @@ std::vector<double> abscissas_of(const MeasuredTable& table, const Heading& head
 
 }  // namespace
 
-MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, std::vector<Channel>& channels,
-                      bool is_held_out, std::vector<std::string>& notes) {
-  const auto first = std::find_if(channels.begin(), channels.end(), [](const Channel& one) { return one.is_of_rig(); });
-  if (first == channels.end())
-    throw UserError(fmt::format("{}: needs a column \"t\", or --match kc:AXLE:COLUMN for points of a rig's curve\n",
-                                table.header()));
-  const Compilation compilation = expect(decide(model.model));
-  const KcReport report = rig_report(compilation, model.arguments, first->axle, {});
+MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, RigReports& reports,
+                      std::vector<Channel>& channels, bool is_held_out, std::vector<std::string>& notes) {
+  const std::string axle = axle_of(table, model.model, channels);
+  if (!reports.contains(axle))
+    reports.emplace(axle, rig_report(expect(decide(model.model)), model.arguments, axle, {}));
+  const KcReport& report = reports.at(axle);
   const KcTable& curve = curve_in(table, report);
   MeasuredFile file{.path = table.path,
                     .is_held_out = is_held_out,
-                    .axle = first->axle,
+                    .axle = axle,
                     .curve = curve.name,
                     .curve_number = static_cast<int>(&curve - report.tables.data())};
   const std::vector<double> at = abscissas_of(table, curve.columns.front().heading);
@@ -108,8 +130,9 @@ MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, std::ve
   if (!file.channels.empty()) return file;
   std::vector<std::string> known;
   for (const Column& column : curve.columns) known.push_back(column.heading.name);
+  const Channel& first = *std::ranges::find(channels, axle, &Channel::axle);
   throw UserError(fmt::format("{}: has no column of a matched quantity of {}, as \"{}\"\n{}", table.header(),
-                              curve.name, first->column, nearest_hint(first->quantity, known)));
+                              curve.name, first.column, nearest_hint(first.quantity, known)));
 }
 
 Outcome rig_curve(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,

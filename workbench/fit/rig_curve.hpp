@@ -1,17 +1,23 @@
 #pragma once
 // Curves of a rig as targets of a fit.
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "workbench/fit/fit_model.hpp"
+#include "workbench/kc/kc.hpp"
 
 namespace mbgen::fit {
 
-/// Reads points of a rig's curve: the file's name or columns tell which curve. Units of the channels become those of
-/// the rig. Fails: UserError with file and line, as read_run; for an axle, curve or column that the rig lacks.
-MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, std::vector<Channel>& channels,
-                      bool is_held_out, std::vector<std::string>& notes);
+/// Curves of the axles at the model's values, by name of the axle.
+using RigReports = std::map<std::string, KcReport>;
+
+/// Reads points of a rig's curve: the file's name tells axle and curve. reports: of axles that were read before. Units
+/// of the channels become those of the rig. Fails: UserError with file and line, as read_run; for an axle, curve or
+/// column that the rig lacks.
+MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, RigReports& reports,
+                      std::vector<Channel>& channels, bool is_held_out, std::vector<std::string>& notes);
 
 /// The columns of the rig's curve at values of the unknowns.
 Outcome rig_curve(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,

@@ -95,6 +95,7 @@ Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, cons
   Result<Rig> rig = make_rig(user, axle, at, pads);
   if (!rig) return rig.problems();
   add_programs(rig->compilation);
+  add_directional(rig->compilation);
   Result<PointOfCurve> start = start_point(*rig);
   if (!start) return start.problems();
   return StandingRig{std::move(*rig), std::move(*start)};

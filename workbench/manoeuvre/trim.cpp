@@ -58,6 +58,7 @@ class PaceWay {
  public:
   PaceWay(Compilation& compilation, const OperatingPoint& start)
       : c_(compilation), heading_(heading_at(compilation, start)), facts_(vehicle_facts(compilation.model)) {
+    add_directional(c_);
     reached_.speed = speed_at(c_, start);
     last_.point = start;
     if (reached_.speed < kMoves)

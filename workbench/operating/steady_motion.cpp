@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 
 #include "compiler/algebra/dense.hpp"
@@ -42,9 +41,8 @@ class Search {
     take(request);
     find_turning();
     if (request.finds_heading) heading_ = yaw_;
-    for (const int i : independent_) {
+    for (const int i : independent_)
       if (!travels(i)) motion_.point.zd[i] = 0;
-    }
     require_closed(close());
   }
 
@@ -390,10 +388,12 @@ class Search {
 }  // namespace
 
 SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint& start, const SteadyRequest& request) {
+  Compilation c = compilation;
+  if (!c.directional) add_directional(c);
   try {
-    return Search(compilation, start, request, false).find();
+    return Search(c, start, request, false).find();
   } catch (const UserError&) {
-    return Search(compilation, start, request, true).find();
+    return Search(c, start, request, true).find();
   }
 }
 
