@@ -203,6 +203,10 @@ FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion 
   return emit_fmu(programs_for_slopes(c), c.emitted, c.model, c.topology, c.analysis, initial, version);
 }
 
+std::vector<EmittedFile> emit_casadi(const Compilation& c, const InitialState& initial) {
+  return emit_casadi(c.whole.programs, programs_for_slopes(c), c.emitted, c.model, c.topology, c.analysis, initial);
+}
+
 std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<double>& z) {
   std::optional<Analysis> analysis = chosen_at(c.model, c.topology, c.analysis, z);
   if (!analysis) return {};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/casadi/casadi.hpp"
 #include "compiler/emit/emit.hpp"
 #include "compiler/fmu/fmu.hpp"
 #include "compiler/linearisation/linearisation.hpp"
@@ -106,6 +107,9 @@ Result<LinearSystem> linearise(const Compilation& compilation, const OperatingPo
 /// The same with partitions chosen for the point where the frozen ones are singular and the position is not: other
 /// coordinates may be states then.
 Result<LinearSystem> linearise_by_any_choice(const Compilation& compilation, const OperatingPoint& point);
+
+/// The files for CasADi and acados, see emit_casadi. Requires: no_explicit_motion of the model is empty.
+std::vector<EmittedFile> emit_casadi(const Compilation& compilation, const InitialState& initial);
 
 /// The files of an FMU that starts from `initial`, see emit_fmu.
 FmuFiles emit_fmu(const Compilation& compilation, const InitialState& initial, FmiVersion version);

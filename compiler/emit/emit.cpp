@@ -41,6 +41,7 @@ std::string build_text(const EmitContext& context, int rare_parts) {
   return fill_template(context, "CMakeLists.txt.in",
                        {{"banner", banner_text(context.model, "#")},
                         {"c_interface", context.options.c_interface},
+                        {"casadi", context.options.casadi},
                         {"whole", rare_parts == 0},
                         {"parts", rare_parts == 0 ? "" : std::to_string(rare_parts)},
                         {"gnu_flags", cmake_words(solver_compile_flags(gnu))},

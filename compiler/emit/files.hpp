@@ -54,6 +54,7 @@ struct EmitOptions {
   std::optional<InitialState> initial = {};  ///< add initial_state() to the interfaces
   bool tangents = false;                     ///< add <model>_tangents.hpp and .cpp, the solver with derivatives
   bool c_interface = false;                  ///< add <model>_c.h, <model>_c.cpp and <model>.py; needs `initial`
+  bool casadi = false;                       ///< CMakeLists.txt includes <model>_casadi.cmake
   bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them
   Spelling spelling = Spelling::fast;        ///< of the programs; for reading: each is one function
 };

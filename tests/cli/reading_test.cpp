@@ -84,6 +84,8 @@ TEST_F(ReadingCommand, TheFastSolverIsTheSameBesideIt) {
 TEST_F(ReadingCommand, OptionsThatDoNotGoTogetherAreRefused) {
   EXPECT_EQ(mbgen("generate four_bar.json --reading --batch 4 --out a").err,
             "generate: --reading writes no lanes: leave out --batch or --reading\n");
+  EXPECT_EQ(mbgen("generate four_bar.json --reading --casadi --out a").err,
+            "generate: --reading writes no derivatives: leave out --casadi or --reading\n");
   EXPECT_EQ(mbgen("generate four_bar.json --reading --measure --out a").err,
             "generate: --measure times the fast solver: leave out --measure or --reading\n");
   EXPECT_EQ(mbgen("explain four_bar.json --tyre a --equation b").err,

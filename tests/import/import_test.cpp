@@ -57,7 +57,15 @@ TEST(ImportUrdf, ExtensionsCloseTheSameLoopAsTheSidecar) {
   const Mechanism loop = with(
       "<loop name='rocker_tip' type='continuous'><predecessor link='coupler'><origin xyz='0.32 0 0.2'/></predecessor>"
       "<successor link='rocker'><origin xyz='0.02 0 0.25'/></successor><axis xyz='0 1 0'/></loop>");
+  // The child's frame is turned by 0.5 rad about x, and its axis is that of the parent there.
+  const Mechanism constraint = with(
+      "<constraint name='rocker_tip' type='revolute'><parent link='coupler'/><parent_origin xyz='0.32 0 0.2' rpy='0 0 "
+      "0.3'/>"
+      "<parent_axis xyz='0.29552020666133955 0.955336489125606 0'/><child link='rocker'/>"
+      "<child_origin xyz='0.02 0 0.25' rpy='0.5 0 0'/><child_axis xyz='0 0.8775825618903728 "
+      "-0.479425538604203'/></constraint>");
   const std::vector<GenericState> states = random_states(sidecar, 3);
+  EXPECT_LT(difference(sidecar, constraint, states), 1e-12);
   EXPECT_LT(difference(sidecar, loop_joint, states), 1e-13);
   EXPECT_LT(difference(sidecar, loop, states), 1e-13);
 }
@@ -302,7 +310,7 @@ TEST(Import, RefusesBadRobotsWithExactMessages) {
   int cases = 0;
   for (const auto& entry : fs::directory_iterator(source_path("tests/import/errors"))) {
     const fs::path extension = entry.path().extension();
-    if (extension != ".urdf" && extension != ".xml") continue;
+    if (extension != ".urdf" && extension != ".sdf" && extension != ".xml") continue;
     fs::path text = entry.path(), sidecar = entry.path();
     ImportRequest request = request_of(entry.path().filename().string(), content_of(entry.path()).value());
     request.loops = content_of(sidecar.replace_extension(".json"));
@@ -337,7 +345,7 @@ TEST(Import, HostileXmlIsRefused) {
 /// Every beginning of a good file, and the file with single bytes changed, is imported or refused; what is imported can
 /// be read.
 TEST(Import, BrokenFilesAreImportedOrRefused) {
-  for (const char* name : {"arm.urdf", "walker.xml", "linkage.xml"}) {
+  for (const char* name : {"arm.urdf", "walker.xml", "linkage.xml", "four_bar.sdf"}) {
     const std::string good = content_of(source_path(std::string("tests/import/") + name)).value();
     std::mt19937 random(3);
     for (int i = 0; i < 300; ++i) {

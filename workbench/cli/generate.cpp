@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -30,7 +31,7 @@ struct GenerateOptions {
   std::string model, form, directory, name, depfile, dump;
   std::vector<std::string> set, sensitivities;
   EmitOptions emit;
-  bool c_interface = false, reading = false, measure = false, json = false;
+  bool c_interface = false, casadi = false, reading = false, measure = false, json = false;
   std::optional<double> budget;  ///< microseconds of a step
 };
 
@@ -98,6 +99,7 @@ void require_fast_copy(const GenerateOptions& options) {
   if (options.emit.lanes > 0) throw UserError("generate: --reading writes no lanes: leave out --batch or --reading\n");
   if (!options.sensitivities.empty())
     throw UserError("generate: --reading writes no derivatives: leave out --sensitivities or --reading\n");
+  if (options.casadi) throw UserError("generate: --reading writes no derivatives: leave out --casadi or --reading\n");
   if (options.measure) throw UserError("generate: --measure times the fast solver: leave out --measure or --reading\n");
 }
 
@@ -121,6 +123,26 @@ void require_start(const GenerateOptions& options, const Compilation& compilatio
       "  hint: leave out --c-api: in C++ assemble_holding holds what the caller wants\n");
 }
 
+/// Fails: UserError for a model that is no explicit differential equation.
+void require_explicit(const GenerateOptions& options, const Compilation& compilation) {
+  if (!options.casadi) return;
+  const std::string reason = no_explicit_motion(compilation.model, compilation.topology, compilation.analysis);
+  if (reason.empty()) return;
+  throw UserError(
+      fmt::format("{}: --casadi: the model is no differential equation of its independent coordinates: {}\n",
+                  compilation.model.file, reason));
+}
+
+/// The files of the solver and of what was asked for beside it; the manifest is the last one.
+std::vector<EmittedFile> emitted_files(const GenerateOptions& options, const Compilation& compilation,
+                                       const EmitOptions& emitted) {
+  std::vector<EmittedFile> files = emit(compilation, emitted);
+  if (!options.casadi) return files;
+  std::vector<EmittedFile> more = emit_casadi(compilation, *emitted.initial);
+  files.insert(files.end() - 1, std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return files;
+}
+
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(read_named(options), options.dump, known_start, chosen_form(options.form), options.emit));
@@ -140,11 +162,14 @@ int run(const GenerateOptions& options) {
                {.form = chosen_form(options.form), .spelling = options.reading ? Spelling::reading : Spelling::fast});
   require_range(compilation, options.emit.scalar);
   require_start(options, compilation);
+  require_explicit(options, compilation);
   EmitOptions emitted = options.emit;
   emitted.tangents = !options.sensitivities.empty();
   emitted.c_interface = options.c_interface || options.emit.calibration;
-  emitted.initial = emitted.c_interface ? default_initial_state(compilation) : known_start(compilation);
-  std::vector<EmittedFile> files = emit(compilation, emitted);
+  emitted.casadi = options.casadi;
+  emitted.initial =
+      emitted.c_interface || options.casadi ? default_initial_state(compilation) : known_start(compilation);
+  std::vector<EmittedFile> files = emitted_files(options, compilation, emitted);
   std::optional<MeasuredCost> cost;
   if (options.measure) {
     cost = measure_cost(compilation, emitted, options.budget);
@@ -178,6 +203,10 @@ void add_generate(NamedCommand application, int& exit_code) {
       "leave out the runtime's headers (mbgen/*.hpp)");
   command.add_flag("--c-api", options->c_interface,
                    "add an interface in C99 (<model>_c.h, <model>_c.cpp) and a Python module over it (<model>.py)");
+  command.add_flag(
+      "--casadi", options->casadi,
+      "add the motion as functions in C that CasADi finds by name (<model>_casadi.c) and a model of acados "
+      "(<model>_acados.py; docs/use/casadi.md)");
   command.add_flag("--a2l", options->emit.calibration,
                    "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and the "
                    "files of --c-api");

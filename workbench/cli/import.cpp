@@ -1,4 +1,4 @@
-// mbgen import: conversion of a robot in URDF or MJCF to a model.
+// mbgen import: conversion of a robot in URDF, SDF or MJCF to a model.
 
 #include "workbench/import/import.hpp"
 
@@ -88,13 +88,13 @@ int run(const ImportOptions& options) {
 
 void add_import(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<ImportOptions>();
-  NamedCommand command = application.add_command("import", "make a model of a robot in URDF or MJCF");
+  NamedCommand command = application.add_command("import", "make a model of a robot in URDF, SDF or MJCF");
   command.footer(
       "Example: mbgen import robot.urdf --out robot.json\n"
       "Standard error names each element that is not carried over, with its line. Without --out the model "
       "is\n"
       "printed. The treatment of each element, and the file of --loops: docs/use/import.md.");
-  command.add_option("ROBOT", options->robot, "URDF (<robot>) or MJCF (<mujoco>) file").required();
+  command.add_option("ROBOT", options->robot, "URDF (<robot>), SDF (<sdf>) or MJCF (<mujoco>) file").required();
   command.add_option("-o,--out", options->file, "write the model to this file");
   command.add_option("--loops", options->loops,
                      "JSON file with loops that a URDF has no word for, and positions where they close");

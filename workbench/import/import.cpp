@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "workbench/import/mjcf.hpp"
+#include "workbench/import/sdf.hpp"
 #include "workbench/import/urdf.hpp"
 
 namespace mbgen {
@@ -29,21 +30,17 @@ void sort_by_place(const Reading& reading, Diagnostics& list) {
   });
 }
 
-/// Name of the robot, else of its file.
-std::string model_name(const ImportRequest& request, const Element& root) {
-  const bool is_urdf = root.name == "robot";
-  std::string name = importing::text_of(root, is_urdf ? "name" : "model");
+/// Name of the robot, else of its file. Requires: the robot is translated; an SDF file has given its model's name.
+std::string model_name(const ImportRequest& request, const Element& root, const Assembly& assembly) {
+  std::string name =
+      root.name == "sdf" ? assembly.name : importing::text_of(root, root.name == "robot" ? "name" : "model");
   if (name.empty()) name = std::filesystem::path(request.file).stem().string();
   return importing::valid_name(name);
 }
 
 void translate(Reading& reading, const Element& root, Assembly& assembly) {
   if (root.name == "robot") return importing::import_urdf(reading, root, assembly);
-  if (root.name == "sdf" || root.name == "gazebo") {
-    importing::problem(reading, root.spot, fmt::format("<{}> is SDF, which is not read", root.name),
-                       "URDF (<robot>) and MJCF (<mujoco>) are read: write the robot in one of them");
-    return;
-  }
+  if (root.name == "sdf") return importing::import_sdf(reading, root, assembly);
   if (root.name == "mujocoinclude") {
     importing::problem(reading, root.spot, "<mujocoinclude> is a part of a model",
                        "import the file that includes it, its root element is <mujoco>");
@@ -51,7 +48,7 @@ void translate(Reading& reading, const Element& root, Assembly& assembly) {
   }
   if (root.name != "mujoco") {
     importing::problem(reading, root.spot, fmt::format("<{}> is no robot", root.name),
-                       "the root element of URDF is <robot>, of MJCF <mujoco>");
+                       "the root element of URDF is <robot>, of SDF <sdf>, of MJCF <mujoco>");
     return;
   }
   if (reading.request.loops) {
@@ -74,8 +71,8 @@ Result<ImportedModel> import_robot(const ImportRequest& request) {
     return reading.problems;
   }
   ImportedModel model;
-  model.name = assembly.name = model_name(request, *root);
-  model.format = root->name == "robot" ? "URDF" : "MJCF";
+  model.name = assembly.name = model_name(request, *root, assembly);
+  model.format = root->name == "robot" ? "URDF" : root->name == "sdf" ? "SDF" : "MJCF";
   assembly.comment = fmt::format("Imported by mbgen from {} ({}).",
                                  std::filesystem::path(request.file).filename().string(), model.format);
   model.json = importing::model_text(assembly);

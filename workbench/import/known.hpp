@@ -34,7 +34,7 @@ struct KnownFormat {
   std::span<const SameContext> contexts;
 };
 
-extern const KnownFormat kUrdf, kMjcf;
+extern const KnownFormat kUrdf, kMjcf, kSdf;
 
 /// Notes about elements and attributes that are not carried over, one per kind, and about unknown ones. The content of
 /// a lost element is not checked.

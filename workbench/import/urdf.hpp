@@ -45,7 +45,9 @@ struct UrdfRobot {
 Isometry3d read_origin(Reading& reading, const Element& element);
 /// The frame of its child <origin>.
 Isometry3d read_inner_origin(Reading& reading, const Element& element);
-/// A unit vector from the attribute xyz of the child <axis>, x without it.
+/// A unit vector from the attribute xyz of an element, x without it.
+Vector3d read_unit(Reading& reading, const Element& axis);
+/// The same of the child <axis>.
 Vector3d read_axis(Reading& reading, const Element& element);
 /// Whether the joint has an axis of rotation or translation, or a normal.
 bool has_axis(JointType type);
@@ -68,7 +70,7 @@ struct UrdfLoop {
   bool has_far_frame = true;  ///< else the far end coincides with the near one
 };
 
-/// Loops by <loop_joint> and <loop> elements.
+/// Loops by <loop_joint>, <loop> and <constraint> elements.
 std::vector<UrdfLoop> read_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot);
 /// Loops of the sidecar; sets the positions given there in the robot.
 std::vector<UrdfLoop> read_sidecar(Reading& reading, UrdfRobot& robot);

@@ -8,13 +8,14 @@ namespace {
 
 constexpr std::string_view kFrame = "xyz rpy quat_xyzw";
 
-constexpr std::array<KnownElement, 67> kElementsOfUrdf = {{
+constexpr std::array<KnownElement, 76> kElementsOfUrdf = {{
     {"/robot", "name version"},
     {"robot/link", "name", "type"},
     {"robot/joint", "name type"},
     {"robot/material", "name"},
     {"robot/loop_joint", "name type"},
     {"robot/loop", "name type"},
+    {"robot/constraint", "name type"},
     {"robot/transmission", "name type"},
     {"transmission/type", ""},
     {"transmission/plugin", ""},
@@ -76,6 +77,14 @@ constexpr std::array<KnownElement, 67> kElementsOfUrdf = {{
     {"loop/dynamics", "", "", "joints that close loops have no coordinate"},
     {"loop_joint/axis", "xyz"},
     {"end/origin", kFrame},
+    {"constraint/parent", "link"},
+    {"constraint/child", "link"},
+    {"constraint/parent_origin", kFrame},
+    {"constraint/child_origin", kFrame},
+    {"constraint/parent_axis", "xyz"},
+    {"constraint/child_axis", "xyz"},
+    {"constraint/limit", "", "", "joints that close loops have no coordinate"},
+    {"constraint/dynamics", "", "", "joints that close loops have no coordinate"},
 }};
 
 constexpr std::array<SameContext, 6> kContextsOfUrdf = {{{"link1", "end"},

@@ -166,16 +166,64 @@ std::vector<ExtensionEnd> extension_ends(Reading& reading, const Element& loop, 
   return {};
 }
 
+/// The frame and the link of an end of a <constraint>: role parent or child.
+std::optional<ExtensionEnd> constraint_end(Reading& reading, const Element& constraint, const std::string& role,
+                                           const UrdfRobot& robot) {
+  const Element* end = child(constraint, role);
+  if (!end) {
+    problem(reading, constraint.spot, fmt::format("<constraint> has no <{}>", role));
+    return std::nullopt;
+  }
+  const std::optional<std::string> name = required_text(reading, *end, "link");
+  if (!name) return std::nullopt;
+  const auto found = robot.link_of.find(*name);
+  if (found == robot.link_of.end()) {
+    problem(reading, attribute(*end, "link")->spot, "no link is named " + quoted_text(*name));
+    return std::nullopt;
+  }
+  const Element* origin = child(constraint, role + "_origin");
+  return ExtensionEnd{found->second, origin ? read_origin(reading, *origin) : Isometry3d::Identity()};
+}
+
+/// The direction of <parent_axis> or <child_axis>, `fallback` without it.
+Vector3d constraint_axis(Reading& reading, const Element& constraint, const std::string& name,
+                         const Vector3d& fallback) {
+  const Element* axis = child(constraint, name);
+  return axis ? read_unit(reading, *axis) : fallback;
+}
+
+/// A loop by a <constraint> as proposed for urdfdom (https://github.com/ros/urdfdom/pull/264): a frame and an axis on
+/// either side.
+void read_constraint(Reading& reading, const Element& constraint, JointType type, const std::string& name,
+                     const UrdfRobot& robot, std::vector<UrdfLoop>& loops) {
+  const std::optional<ExtensionEnd> from = constraint_end(reading, constraint, "parent", robot),
+                                    to = constraint_end(reading, constraint, "child", robot);
+  if (!from || !to) return;
+  if (from->link == to->link) return problem(reading, constraint.spot, "<constraint> needs two different links");
+  LoopEnds ends{type, from->frame, to->frame, Vector3d::UnitX()};
+  if (has_axis(type)) {
+    ends.axis = constraint_axis(reading, constraint, "parent_axis", Vector3d::UnitX());
+    const Vector3d far = constraint_axis(reading, constraint, "child_axis", ends.axis);
+    // Both ends have one axis: the frame of the child turns to it.
+    ends.to.rotate(Eigen::Quaterniond::FromTwoVectors(ends.axis, far));
+  }
+  loops.push_back({.name = name, .spot = constraint.spot, .ends = ends, .from = from->link, .to = to->link});
+}
+
 }  // namespace
 
 std::vector<UrdfLoop> read_extension_loops(Reading& reading, const Element& root, const UrdfRobot& robot) {
   std::vector<UrdfLoop> loops;
   for (const Element& element : root.children) {
-    if (element.name != "loop_joint" && element.name != "loop") continue;
+    if (element.name != "loop_joint" && element.name != "loop" && element.name != "constraint") continue;
     const std::optional<std::string> name = required_text(reading, element, "name");
     const std::optional<JointType> type = loop_type(text_of(element, "type"));
     if (!type) {
       problem(reading, element.spot, fmt::format("<{}> has no known type", element.name), kLoopTypes);
+      continue;
+    }
+    if (element.name == "constraint") {
+      if (name) read_constraint(reading, element, *type, *name, robot, loops);
       continue;
     }
     const std::vector<ExtensionEnd> ends = extension_ends(reading, element, robot);

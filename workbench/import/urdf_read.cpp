@@ -174,14 +174,17 @@ Isometry3d read_inner_origin(Reading& reading, const Element& element) {
   return origin ? read_origin(reading, *origin) : Isometry3d::Identity();
 }
 
-Vector3d read_axis(Reading& reading, const Element& element) {
-  const Element* axis = child(element, "axis");
-  if (!axis) return Vector3d::UnitX();
-  const Vector3d direction = read_vector(reading, *axis, "xyz", Vector3d::UnitX());
+Vector3d read_unit(Reading& reading, const Element& axis) {
+  const Vector3d direction = read_vector(reading, axis, "xyz", Vector3d::UnitX());
   if (direction.norm() > 0) return direction.normalized();
-  problem(reading, attribute(*axis, "xyz")->spot, "axis has zero length",
+  problem(reading, attribute(axis, "xyz")->spot, "axis has zero length",
           "give its direction, for example xyz=\"0 0 1\"");
   return Vector3d::UnitX();
+}
+
+Vector3d read_axis(Reading& reading, const Element& element) {
+  const Element* axis = child(element, "axis");
+  return axis ? read_unit(reading, *axis) : Vector3d::UnitX();
 }
 
 UrdfRobot read_robot(Reading& reading, const Element& root) {

@@ -1,0 +1,206 @@
+// SDF: frames, loops, geared joints, against models of mbgen that are written by hand and against closed forms.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "compiler/reader/read_model.hpp"
+#include "tests/import/import_support.hpp"
+
+namespace mbgen {
+namespace {
+
+using namespace mbgen::testing;
+
+ImportedModel imported_sdf(const std::string& members, const std::string& version = "1.9") {
+  return imported_text(
+      request_of("robot.sdf", fmt::format("<sdf version='{}'><model name='robot'>{}</model></sdf>", version, members)));
+}
+
+/// A link with its centre of mass at a place in its frame.
+std::string sdf_link(const std::string& name, const std::string& pose, double mass, const std::string& com,
+                     double inertia) {
+  return fmt::format(
+      "<link name='{0}'><pose>{1}</pose><inertial><pose>{3} 0 0 0</pose><mass>{2}</mass><inertia><ixx>{4}</ixx>"
+      "<iyy>{4}</iyy><izz>{4}</izz></inertia></inertial></link>",
+      name, pose, mass, com, inertia);
+}
+
+/// Accelerations at a position of the coordinates, at rest, in the order of the tree.
+std::vector<double> at_rest(const Mechanism& m, const std::vector<std::pair<std::string, double>>& positions) {
+  GenericState state{.z = std::vector<double>(m.topology.bodies.size()), .zd = {}, .x = {}, .t = 0};
+  state.zd = state.z;
+  for (const auto& [name, value] : positions) state.z[index_of(m, name)] = value;
+  GenericDerivative derivative;
+  const GenericSolver solver(m.model, m.topology, m.analysis);
+  EXPECT_TRUE(solver.accelerations(state, std::vector<double>(state.z.size()), derivative).ok());
+  return derivative.zdd;
+}
+
+TEST(ImportSdf, AFourBarIsTheFourBarOfModels) {
+  const ImportedModel sdf = imported("four_bar.sdf");
+  EXPECT_EQ(sdf.loops, 1);
+  EXPECT_EQ(sdf.format, "SDF");
+  EXPECT_TRUE(sdf.notes.empty());
+  const Mechanism robot = mechanism_of(sdf.json);
+  Model model = *read_model_file(source_path("models/four_bar.json"));
+  model.springs.clear();
+  model.outputs.clear();
+  for (Joint& joint : model.joints)
+    if (joint.name == "rocker_tip") joint.cut = CutMark::cut;
+  const Mechanism written = analysed(Result<Model>(model));
+  const std::vector<GenericState> states = random_states(robot, 5);
+  ASSERT_EQ(states.size(), 5u);
+  EXPECT_LT(difference(robot, written, states), 1e-11);
+}
+
+/// m g l = (m l^2 + I) zdd, l the way per radian.
+TEST(ImportSdf, AScrewFallsByItsPitch) {
+  const std::string nut = sdf_link("nut", "0 0 0 0 0 0", 3, "0 0 0", 0.02);
+  for (const auto& [pitch, lead] :
+       {std::pair("<screw_thread_pitch>0.5</screw_thread_pitch>", 0.5 / (2 * std::numbers::pi)),
+        {"<thread_pitch>-8</thread_pitch>", 1 / 8.0}}) {
+    const Mechanism m =
+        mechanism_of(imported_sdf(nut + "<joint name='s' type='screw'><parent>world</parent><child>nut</child>" +
+                                  pitch + "<axis><xyz>0 0 1</xyz></axis></joint>")
+                         .json);
+    const std::vector<double> zdd = at_rest(m, {});
+    const double expected = -3 * 9.81 * lead / (3 * lead * lead + 0.02);
+    EXPECT_NEAR(zdd[index_of(m, "s")], expected, 1e-10 * std::abs(expected)) << pitch;
+    EXPECT_NEAR(zdd[index_of(m, "s_slide")], lead * expected, 1e-10 * std::abs(expected)) << pitch;
+  }
+}
+
+/// theta_2 = -r theta_1: a spring on the first wheel turns both, (I1 + r^2 I2) zdd_1 = -k z_1. The joint of the second
+/// wheel is written from the wheel to the base, and its axis the other way round.
+TEST(ImportSdf, AGearboxCouplesTwoAngles) {
+  const ImportedModel model =
+      imported_sdf(sdf_link("base", "0 0 0 0 0 0", 5, "0 0 0", 1) + sdf_link("one", "0 0 0 0 0 0", 1, "0 0 0", 0.3) +
+                   sdf_link("two", "1 0 0 0 0 0", 1, "0 0 0", 0.1) +
+                   "<joint name='hold' type='fixed'><parent>world</parent><child>base</child></joint>"
+                   "<joint name='a' type='continuous'><parent>base</parent><child>one</child><axis><xyz>0 0 1</xyz>"
+                   "<dynamics><spring_stiffness>7</spring_stiffness></dynamics></axis></joint>"
+                   "<joint name='b' type='continuous'><pose relative_to='two'/><parent>two</parent><child>base</child>"
+                   "<axis><xyz>0 0 -1</xyz></axis></joint>"
+                   "<joint name='g' type='gearbox'><parent>one</parent><child>two</child><axis><xyz>0 0 1</xyz></axis>"
+                   "<axis2><xyz>0 0 1</xyz></axis2><gearbox_ratio>4</gearbox_ratio>"
+                   "<gearbox_reference_body>base</gearbox_reference_body></joint>");
+  EXPECT_NE(model.json.find("\"relation\": \"z.b + 4*z.a\""), std::string::npos) << model.json;
+  const Mechanism m = mechanism_of(model.json);
+  const double expected = -7 * 0.2 / (0.3 + 16 * 0.1);
+  const std::vector<double> zdd = at_rest(m, {{"a", 0.2}, {"b", -0.8}});
+  EXPECT_NEAR(zdd[index_of(m, "a")], expected, 1e-10);
+  EXPECT_NEAR(zdd[index_of(m, "b")], -4 * expected, 1e-10);
+}
+
+/// Two turns one after the other: a universal joint of mbgen is written by itself.
+TEST(ImportSdf, AUniversalJointIsTheOneOfTheModel) {
+  const Mechanism sdf =
+      mechanism_of(imported_sdf(sdf_link("load", "0 0 0 0 0 0", 2, "0.3 0.1 -0.4", 0.05) +
+                                "<joint name='u' type='universal'><parent>world</parent><child>load</child>"
+                                "<axis><xyz>1 0 0</xyz></axis><axis2><xyz>0 1 0</xyz></axis2></joint>")
+                       .json);
+  const Mechanism written = mechanism_of(R"({ "mbgen": 1, "name": "u", "gravity": [0, 0, -9.81],
+    "bodies": { "ground": { "points": { "o": [0, 0, 0] } },
+      "load": { "mass": 2, "com": [0.3, 0.1, -0.4], "inertia": [0.05, 0.05, 0.05], "points": { "o": [0, 0, 0] } } },
+    "joints": { "u": { "type": "universal", "from": "ground.o", "to": "load.o", "axis": "x", "axis2": "y" } } })");
+  const std::vector<double> one = at_rest(sdf, {{"u", 0.4}, {"u_2", -0.7}}),
+                            other = at_rest(written, {{"u_rx", 0.4}, {"u_ry", -0.7}});
+  ASSERT_EQ(one.size(), 2u);
+  EXPECT_LT(relative_error(one, other), 1e-12);
+}
+
+/// A pendulum on a slanted axis, which three versions of the format write in frames of their own.
+TEST(ImportSdf, AxesAreReadInTheFrameOfTheirVersion) {
+  const std::string link = sdf_link("arm", "0.2 0 0 0.3 -0.5 0.7", 2, "0.3 0.1 -0.4", 0.05);
+  const auto with = [&](const std::string& axis, const std::string& version) {
+    return at_rest(
+        mechanism_of(
+            imported_sdf(link +
+                             "<joint name='pin' type='revolute'><pose>0 0 0.1 0.2 0 0</pose><parent>world</parent>"
+                             "<child>arm</child><axis>" +
+                             axis + "</axis></joint>",
+                         version)
+                .json),
+        {{"pin", 0.3}});
+  };
+  const std::vector<double> in_model = with("<xyz expressed_in='__model__'>0 1 0</xyz>", "1.10");
+  EXPECT_LT(relative_error(with("<xyz>0 1 0</xyz>", "1.4"), in_model), 1e-13);
+  EXPECT_LT(
+      relative_error(with("<xyz>0 1 0</xyz><use_parent_model_frame>true</use_parent_model_frame>", "1.6"), in_model),
+      1e-13);
+  const std::vector<double> in_joint = with("<xyz>0 1 0</xyz>", "1.7");
+  EXPECT_LT(relative_error(with("<xyz>0 1 0</xyz>", "1.5"), in_joint), 1e-13);
+  EXPECT_GT(relative_error(in_joint, in_model), 1e-3);
+}
+
+/// Joints without forces close the loops; a mimic is a coupling; ranges become stops; what moves freely is told.
+TEST(ImportSdf, ForcesStayOnTheTree) {
+  const std::string text = sdf_link("a", "0 0 0 0 0 0", 1, "0 0 0", 1) + sdf_link("b", "1 0 0 0 0 0", 1, "0 0 0", 1) +
+                           sdf_link("c", "1 0 1 0 0 0", 1, "0 0 0", 1);
+  const auto joint = [](const char* name, const char* type, const char* parent, const char* below, const char* rest) {
+    return fmt::format("<joint name='{}' type='{}'><parent>{}</parent><child>{}</child>{}</joint>", name, type, parent,
+                       below, rest);
+  };
+  const char* damped = "<axis><xyz>0 1 0</xyz><dynamics><damping>2</damping><friction>0.1</friction></dynamics></axis>";
+  const ImportedModel loop =
+      imported_sdf(text + joint("ab", "ball", "a", "b", "") + joint("bc", "revolute", "b", "c", damped) +
+                   joint("ca", "revolute", "c", "a", damped));
+  EXPECT_EQ(loop.loops, 1);
+  EXPECT_NE(loop.json.find("\"ab\": { \"type\": \"spherical\", \"from\": \"a.ab\", \"to\": \"b.ab\", \"cut\": true }"),
+            std::string::npos);
+  EXPECT_TRUE(has_note(loop, "link \"a\" moves freely: no joint holds it to the world"));
+  EXPECT_TRUE(has_note(loop, "friction of 2 joints is smoothed"));
+  EXPECT_TRUE(read_model(loop.json, "loop.json"));
+  const ImportedModel all =
+      imported_sdf(text + joint("ab", "revolute", "a", "b", damped) + joint("bc", "revolute", "b", "c", damped) +
+                   joint("ca", "revolute", "c", "a", damped));
+  EXPECT_TRUE(has_note(all, "forces and stops of joint \"ca\" are not carried over: it closes a loop"));
+  ImportRequest request = request_of(
+      "r.sdf",
+      "<sdf version='1.11'><model name='r'>" + text +
+          joint("wa", "revolute", "world", "a",
+                "<axis><xyz>0 1 0</xyz><limit><lower>-1</lower><upper>2</upper><effort>30</effort></limit></axis>") +
+          joint(
+              "ab", "revolute", "a", "b",
+              "<axis><xyz>0 1 0</xyz><mimic joint='wa'><multiplier>-2</multiplier><offset>0</offset></mimic></axis>") +
+          joint(
+              "bc", "prismatic", "b", "c",
+              "<axis><xyz>0 1 0</xyz><mimic joint='wa'><multiplier>1</multiplier><offset>0.3</offset></mimic></axis>") +
+          "</model></sdf>");
+  request.stop_stiffness = 1e5;
+  const ImportedModel mimic = imported_text(request);
+  EXPECT_NE(mimic.json.find("\"relation\": \"z.ab + 2*z.wa\""), std::string::npos) << mimic.json;
+  EXPECT_NE(mimic.json.find("// limits -1 .. 2 rad, effort 30 N m"), std::string::npos);
+  EXPECT_NE(mimic.json.find("\"wa_upper\": { \"joint\": \"wa\", \"side\": \"above\", \"clearance\": 2"),
+            std::string::npos);
+  EXPECT_TRUE(has_note(mimic, "joint \"bc\" does not follow \"wa\": it would stand at 0.3"));
+  EXPECT_TRUE(read_model(mimic.json, "mimic.json"));
+}
+
+TEST(ImportSdf, TellsWhatItLeavesOut) {
+  const ImportedModel model =
+      imported_text(request_of("world.sdf",
+                               "<sdf version='1.6'><world name='w'><gravity>0 0 -1.62</gravity><physics "
+                               "type='ode'><max_step_size>0.002</max_step_size></physics>"
+                               "<model name='floor'><static>true</static><link name='l'/></model>"
+                               "<model name='rover'><pose frame=''>0 0 2 0 0 0</pose><link name='box'><visual "
+                               "name='v'><geometry><box><size>1 2 3</size></box></geometry>"
+                               "<material><diffuse>1 0 0 1</diffuse></material></visual><collision name='c'/><sensor "
+                               "name='s' type='imu'/></link>"
+                               "<plugin name='p' filename='q'/><lnik/></model></world></sdf>"));
+  EXPECT_EQ(model.name, "rover");
+  EXPECT_TRUE(has_note(model, "static models of the world are left out"));
+  EXPECT_TRUE(has_note(model, "without <inertial>: \"box\"; the format gives such a link 1 kg"));
+  EXPECT_TRUE(has_note(model, "<collision> not carried over: there is no contact"));
+  EXPECT_TRUE(has_note(model, "<plugin> not carried over: controllers"));
+  EXPECT_TRUE(has_note(model, "<lnik> not carried over: it is unknown in <model>"));
+  EXPECT_NE(model.json.find("\"gravity\": [0, 0, -1.62]"), std::string::npos);
+  EXPECT_NE(model.json.find("\"step\": 0.002"), std::string::npos);
+  EXPECT_NE(model.json.find("\"colour\": \"#ff0000\""), std::string::npos);
+  EXPECT_TRUE(read_model(model.json, "rover.json"));
+}
+
+}  // namespace
+}  // namespace mbgen

@@ -1,0 +1,206 @@
+// SDF: the model of a file, its frames and their poses.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "workbench/import/sdf.hpp"
+
+namespace mbgen::importing {
+namespace {
+
+constexpr const char* kModelFrame = "__model__";
+
+std::string name_of(const Element& element) { return text_of(element, "name"); }
+
+/// Adds a frame under its name.
+void add_frame(Reading& reading, const Element& element, std::string fallback, std::string attached_to,
+               SdfModel& model) {
+  const std::optional<std::string> name = required_text(reading, element, "name");
+  if (!name) return;
+  if (*name == "world" || name->starts_with("__"))
+    return problem(reading, element.spot, fmt::format("{} is a reserved name in SDF", quoted_text(*name)));
+  const bool is_new =
+      model.frames.try_emplace(*name, SdfFrame{&element, std::move(fallback), std::move(attached_to)}).second;
+  if (!is_new)
+    problem(reading, element.spot, fmt::format("{} is the name of two links, joints or frames", quoted_text(*name)));
+}
+
+void read_members(Reading& reading, SdfModel& model) {
+  for (const Element& element : model.element->children) {
+    if (element.name == "link") {
+      model.links.push_back(&element);
+      add_frame(reading, element, kModelFrame, name_of(element), model);
+    }
+    if (element.name == "joint") {
+      model.joints.push_back(&element);
+      const std::string below = inner_text(element, "child");
+      add_frame(reading, element, below, below, model);
+    }
+    if (element.name == "frame") {
+      const std::string attached = text_of(element, "attached_to");
+      add_frame(reading, element, attached.empty() ? kModelFrame : attached, attached, model);
+    }
+    if (element.name == "model" || element.name == "include")
+      problem(reading, element.spot, fmt::format("<{}> inside a model is not read", element.name),
+              "write its links and joints into this model: `gz sdf -p` expands includes of models");
+  }
+  if (model.links.empty()) problem(reading, model.element->spot, "model has no links");
+}
+
+/// The models in an element, and their number.
+std::vector<const Element*> models_in(const Element& element) {
+  std::vector<const Element*> models;
+  for (const Element& inner : element.children)
+    if (inner.name == "model") models.push_back(&inner);
+  return models;
+}
+
+/// The only model of a world that moves.
+const Element* model_of_world(Reading& reading, const Element& world) {
+  std::vector<const Element*> models = models_in(world);
+  const auto is_static = [&](const Element* model) { return inner_truth(*model, "static"); };
+  if (models.size() > 1) {
+    const auto first = std::find_if(models.begin(), models.end(), is_static);
+    if (first != models.end()) note(reading, (*first)->spot, "static models of the world are left out");
+    std::erase_if(models, is_static);
+  }
+  if (models.size() == 1) return models.front();
+  problem(reading, world.spot, fmt::format("the world has {} models that move, one is read", models.size()),
+          "write the model into a file of its own, in <sdf>");
+  return nullptr;
+}
+
+void read_world(Reading& reading, const Element& world, Assembly& assembly) {
+  if (const Element* gravity = child(world, "gravity"))
+    if (const auto g = numbers(reading, {"gravity", gravity->text, gravity->spot}, 3, 3))
+      assembly.gravity = Vector3d((*g)[0], (*g)[1], (*g)[2]);
+  if (const Element* physics = child(world, "physics"))
+    assembly.step = std::max(0.0, inner_number(reading, *physics, "max_step_size", 0));
+}
+
+/// Pose of a frame, `depth` frames below the asked one.
+std::optional<Isometry3d> pose_below(Reading& reading, const SdfModel& model, std::string_view name,
+                                     const Element& user, std::size_t depth) {
+  if (name.empty() || name == kModelFrame) return Isometry3d::Identity();
+  if (name == "world") return model.pose.inverse();
+  const auto found = model.frames.find(name);
+  if (found == model.frames.end()) {
+    problem(reading, user.spot, fmt::format("no link, joint or frame is named {}", quoted_text(name)));
+    return std::nullopt;
+  }
+  if (depth > model.frames.size()) {
+    problem(reading, user.spot, fmt::format("the pose of {} follows from itself", quoted_text(name)));
+    return std::nullopt;
+  }
+  const SdfFrame& frame = found->second;
+  const Element* pose = child(*frame.element, "pose");
+  std::string base = pose ? text_of(*pose, "relative_to") : "";
+  if (base.empty()) base = frame.fallback;
+  const std::optional<Isometry3d> below = pose_below(reading, model, base, *frame.element, depth + 1);
+  if (!below) return std::nullopt;
+  return *below * read_pose(reading, pose);
+}
+
+}  // namespace
+
+std::string inner_text(const Element& element, std::string_view name) {
+  const Element* inner = child(element, name);
+  return inner ? inner->text : "";
+}
+
+double inner_number(Reading& reading, const Element& element, std::string_view name, double fallback) {
+  const Element* inner = child(element, name);
+  if (!inner) return fallback;
+  const auto values = numbers(reading, {std::string(name), inner->text, inner->spot}, 1, 1);
+  return values ? values->front() : fallback;
+}
+
+double inner_limit(Reading& reading, const Element& element, std::string_view name, double fallback) {
+  const Element* inner = child(element, name);
+  if (!inner) return fallback;
+  const auto values = limits(reading, {std::string(name), inner->text, inner->spot}, 1, 1);
+  return values ? values->front() : fallback;
+}
+
+bool inner_truth(const Element& element, std::string_view name) {
+  const std::string text = inner_text(element, name);
+  return text == "true" || text == "1";
+}
+
+Isometry3d read_pose(Reading& reading, const Element* pose) {
+  Isometry3d frame = Isometry3d::Identity();
+  if (!pose || pose->text.empty()) return frame;
+  const bool is_quaternion = text_of(*pose, "rotation_format") == "quat_xyzw";
+  const std::size_t count = is_quaternion ? 7 : 6;
+  const auto values = numbers(reading, {"pose", pose->text, pose->spot}, count, count);
+  if (!values) return frame;
+  const std::vector<double>& v = *values;
+  frame.translation() = Vector3d(v[0], v[1], v[2]);
+  if (is_quaternion) {
+    const Eigen::Quaterniond turn(v[6], v[3], v[4], v[5]);
+    if (turn.norm() == 0) problem(reading, pose->spot, "quat_xyzw gives no orientation");
+    if (turn.norm() > 0) frame.linear() = turn.normalized().toRotationMatrix();
+    return frame;
+  }
+  const double unit = text_of(*pose, "degrees") == "true" ? std::numbers::pi / 180 : 1;
+  frame.linear() =
+      (Eigen::AngleAxisd(unit * v[5], Vector3d::UnitZ()) * Eigen::AngleAxisd(unit * v[4], Vector3d::UnitY()) *
+       Eigen::AngleAxisd(unit * v[3], Vector3d::UnitX()))
+          .toRotationMatrix();
+  return frame;
+}
+
+std::optional<Isometry3d> frame_pose(Reading& reading, const SdfModel& model, std::string_view name,
+                                     const Element& user) {
+  return pose_below(reading, model, name, user, 0);
+}
+
+int body_of_frame(Reading& reading, const SdfModel& model, std::string_view name, const Element& user) {
+  std::string at(name);
+  for (std::size_t steps = 0; steps <= model.frames.size(); ++steps) {
+    if (at == "world") return kGroundDraft;
+    if (const auto link = model.body_of.find(at); link != model.body_of.end()) return link->second;
+    const auto found = model.frames.find(at);
+    if (found == model.frames.end() || found->second.attached_to.empty()) {
+      problem(reading, user.spot,
+              found == model.frames.end() ? fmt::format("no link, joint or frame is named {}", quoted_text(at))
+                                          : fmt::format("frame {} is attached to no link", quoted_text(at)));
+      return -1;
+    }
+    at = found->second.attached_to;
+  }
+  problem(reading, user.spot, fmt::format("frame {} is attached to itself", quoted_text(name)));
+  return -1;
+}
+
+std::optional<SdfModel> read_sdf(Reading& reading, const Element& root, Assembly& assembly) {
+  SdfModel model;
+  if (const Attribute* version = attribute(root, "version"))
+    if (const auto value = numbers(reading, *version, 1, 1)) model.version = value->front();
+  // 1.10 to 1.12 are later than 1.9.
+  const std::string version = text_of(root, "version");
+  if (version == "1.10" || version == "1.11" || version == "1.12") model.version = 2;
+  const Element* world = child(root, "world");
+  const std::vector<const Element*> models = models_in(root);
+  if (world) {
+    model.element = model_of_world(reading, *world);
+    read_world(reading, *world, assembly);
+  } else if (models.size() == 1) {
+    model.element = models.front();
+  } else {
+    problem(reading, root.spot, fmt::format("<{}> has {} models, one is read", root.name, models.size()));
+  }
+  if (!model.element) return std::nullopt;
+  read_members(reading, model);
+  if (!reading.problems.empty()) return std::nullopt;
+  const Element* pose = child(*model.element, "pose");
+  model.pose = read_pose(reading, pose);
+  if (const std::string placed = text_of(*model.element, "placement_frame"); !placed.empty())
+    if (const auto frame = frame_pose(reading, model, placed, *model.element))
+      model.pose = model.pose * frame->inverse();
+  return model;
+}
+
+}  // namespace mbgen::importing
