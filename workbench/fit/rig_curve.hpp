@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "workbench/fit/fit_model.hpp"
+#include "workbench/fit/fit_motion.hpp"
 
 namespace mbgen::fit {
 
 /// Reads points of a rig's curve: the file's name or columns tell which curve. Units of the channels become those of
 /// the rig. Fails: UserError with file and line, as read_run; for an axle, curve or column that the rig lacks.
-MeasuredFile read_rig(const MeasuredTable& table, const FitModel& model, std::vector<Channel>& channels,
+MeasuredFile read_rig(const MeasuredTable& table, const FreeModel& model, std::vector<Channel>& channels,
                       bool is_held_out, std::vector<std::string>& notes);
 
 /// The columns of the rig's curve at values of the unknowns.
-Outcome rig_curve(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
+Outcome rig_curve(const FreeModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
                   const std::vector<Unknown>& unknowns, const std::vector<double>& values);
 
 }  // namespace mbgen::fit
