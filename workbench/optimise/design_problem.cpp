@@ -195,6 +195,9 @@ void Designs::note(const Design& design) {
   for (const Constraint& constraint : problem_.wishes.constraints)
     evaluated.broken = std::max(evaluated.broken, broken_by(constraint, excess_of(problem_, constraint, design)));
   course_.push_back(evaluated);
+  if (line_.is_due())
+    line_.show(fmt::format("optimise: evaluation {}, goal {:.6g}{}", count_, evaluated.goal,
+                           evaluated.broken > kBrokenFrom ? ", constraints not kept yet" : ""));
 }
 
 GoalValue cost_of(const DesignProblem& problem, const Goal& goal, const Design& design) {

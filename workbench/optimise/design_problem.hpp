@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "workbench/host/progress.hpp"
 #include "workbench/optimise/goals.hpp"
 #include "workbench/optimise/nonlinear_programme.hpp"
 #include "workbench/search/evaluation_journal.hpp"
@@ -52,7 +53,7 @@ struct Responses {
 };
 Responses responses_at(const DesignProblem& problem, const std::vector<double>& values, bool with_derivatives);
 
-/// Evaluates designs, each once, with a journal.
+/// Evaluates designs, each once, with a journal and a line of progress.
 class Designs {
  public:
   Designs(const DesignProblem& problem, EvaluationJournal* journal) : problem_(problem), journal_(journal) {}
@@ -80,6 +81,7 @@ class Designs {
   std::vector<RefusedDesign> refused_;
   std::vector<EvaluatedDesign> course_;
   long count_ = 0, with_derivatives_ = 0;
+  StatusLine line_;
 };
 
 /// The value of a goal of a design, smaller is better, and its derivatives: value / scale, -value / scale, or the mean

@@ -41,7 +41,7 @@ FoundConstraint found_constraint(const DesignProblem& problem, const Constraint&
   found.value = found.limit + sign * values.excess[worst] * constraint.scale;
   found.start = limit_at(worst_at_start) + sign * at_start.excess[worst_at_start] * constraint.scale;
   const Eigen::VectorXd rows = multipliers.take(is_equal, values.excess.size());
-  found.multiplier = -sign * rows.sum() / constraint.scale;
+  found.multiplier = 0.0 - sign * rows.sum() / constraint.scale;
   found.is_broken = broken_by(constraint, values) > kBrokenFrom;
   found.is_active = is_equal || values.excess[worst] > -kBrokenFrom;
   return found;
@@ -61,8 +61,9 @@ FoundDesign found_design(const DesignProblem& problem, const Design& start, cons
                      .rest = found.optimality.rest,
                      .sum = found.point.goal};
   for (std::size_t v = 0; v < problem.variables.size(); ++v)
-    result.variables.push_back({problem.variables[v], found.design.values[v], found.optimality.at_bound[v],
-                                -found.optimality.bounds[static_cast<Eigen::Index>(v)] / problem.variables[v].scale});
+    result.variables.push_back(
+        {problem.variables[v], found.design.values[v], found.optimality.at_bound[v],
+         0.0 - found.optimality.bounds[static_cast<Eigen::Index>(v)] / problem.variables[v].scale});
   for (const Goal& goal : problem.wishes.goals)
     result.goals.push_back({goal, before[goal.measure].unit, shown_value(problem, goal, start),
                             shown_value(problem, goal, found.design),
@@ -80,8 +81,12 @@ std::vector<FoundCurve> found_curves(const DesignProblem& problem, const std::ve
   for (std::size_t m = 0; m < problem.measures.measures.size(); ++m) {
     const Measure& measure = problem.measures.measures[m];
     if (measure.of != Measure::Of::curve || before[m].at != after[m].at) continue;
-    FoundCurve curve{"kc:" + measure.axle + ":" + measure.curve + ":" + measure.part, before[m].unit, before[m].at,
-                     before[m].values, after[m].values};
+    FoundCurve curve{"kc:" + measure.axle + ":" + measure.curve + ":" + measure.part,
+                     before[m].unit,
+                     before[m].abscissa,
+                     before[m].at,
+                     before[m].values,
+                     after[m].values};
     for (const Goal& goal : problem.wishes.goals)
       if (goal.measure == m) curve.target = at_all_points(goal.target, curve.at.size());
     for (const Constraint& constraint : problem.wishes.constraints) {

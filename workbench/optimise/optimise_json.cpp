@@ -80,6 +80,8 @@ Json curves_json(const OptimiseResult& result) {
   for (const FoundCurve& curve : result.curves)
     list.push_back({{"name", curve.name},
                     {"unit", curve.unit},
+                    {"abscissa", curve.abscissa.name},
+                    {"abscissa_unit", curve.abscissa.unit},
                     {"at", curve.at},
                     {"before", curve.before},
                     {"after", curve.after},

@@ -22,7 +22,8 @@ std::string picture_of_curve(const FoundCurve& curve) {
   if (!curve.target.empty()) panel.curves.push_back({"target", curve.at, curve.target, Curve::Style::points});
   if (!curve.least.empty()) panel.curves.push_back({"least", curve.at, curve.least, Curve::Style::dotted});
   if (!curve.most.empty()) panel.curves.push_back({"most", curve.at, curve.most, Curve::Style::dotted});
-  return fmt::format("<h2>{}</h2>\n{}", xml_text(curve.name), plot_svg({"imposed", ""}, {panel}, kSize));
+  return fmt::format("<h2>{}</h2>\n{}", xml_text(curve.name),
+                     plot_svg({curve.abscissa.name, curve.abscissa.unit}, {panel}, kSize));
 }
 
 /// The weighted goal and the broken part of constraints over the evaluations that had a result.
@@ -36,8 +37,9 @@ std::string picture_of_course(const OptimiseResult& result) {
     broken.x.push_back(number);
     broken.y.push_back(result.course[k].broken);
   }
-  return "<h2>Course of the search</h2>\n" +
-         plot_svg({"evaluation", ""}, {{"", {std::move(goal)}}, {"", {std::move(broken)}}}, {960, 170});
+  std::vector<Panel> panels{{"", {std::move(goal)}}};
+  if (!result.best.constraints.empty()) panels.push_back({"", {std::move(broken)}});
+  return "<h2>Course of the search</h2>\n" + plot_svg({"evaluation", ""}, panels, {960, 170});
 }
 
 const FoundGoal& goal_named(const FoundDesign& design, const std::string& name) {
@@ -48,7 +50,7 @@ const FoundGoal& goal_named(const FoundDesign& design, const std::string& name) 
 
 /// Points that are ok as dots on a line, the others beside it.
 std::string picture_of_trade_off(const OptimiseResult& result) {
-  Curve ok{"ok", {}, {}, Curve::Style::points}, line{"", {}, {}, Curve::Style::line, 0},
+  Curve ok{"ok", {}, {}, Curve::Style::points}, line{"between them", {}, {}, Curve::Style::line, 0},
       doubted{"not converged, or beaten", {}, {}, Curve::Style::points};
   for (const FoundDesign& point : result.trade_off) {
     Curve& of = point.is_ok() ? ok : doubted;

@@ -33,6 +33,7 @@ struct FoundConstraint {
 /// A curve before and after, beside its target or limits.
 struct FoundCurve {
   std::string name, unit;
+  Heading abscissa;
   std::vector<double> at, before, after;
   std::vector<double> target = {}, least = {}, most = {};  ///< one for each point, or none
 };

@@ -78,7 +78,7 @@ void prepare_motion(const FreeModel& model, const std::vector<Unknown>& unknowns
 
 /// Values of a column at wanted abscissas.
 Response response_of(const Measure& measure, const KcTable& curve, const Column& column) {
-  Response response{column.heading.unit, curve.columns.front().values, column.values};
+  Response response{column.heading.unit, curve.columns.front().values, column.values, curve.columns.front().heading};
   if (measure.at.empty()) return response;
   const Series series{response.at, response.values};
   response.at = measure.at;
@@ -92,7 +92,7 @@ Response figure_of(const Measure& measure, const KcReport& report) {
   for (const KcFigure& figure : report.figures) {
     for (const auto& [end, place] : {std::pair{"", 0}, {"_left", 0}, {"_right", 1}})
       if (measure.part == figure.name + end && place < static_cast<int>(figure.values.size()))
-        return {figure.unit, {}, {figure.values[static_cast<std::size_t>(place)]}, {}};
+        return {figure.unit, {}, {figure.values[static_cast<std::size_t>(place)]}};
     names.push_back(figure.name);
   }
   throw UserError(fmt::format("{}: the rig gives no figure \"{}\"\n{}", measure.name, measure.part,
@@ -130,7 +130,7 @@ void evaluate_rig(const MeasureSource& source, const FreeModel& model, const std
 Response number_of(const Measure& measure, const CaseResult& found) {
   std::vector<std::string> names;
   for (const ManoeuvreResult& one : found.of_manoeuvre) {
-    if (one.name == measure.part) return {one.unit, {}, {one.value}, {}};
+    if (one.name == measure.part) return {one.unit, {}, {one.value}};
     names.push_back(one.name);
   }
   const std::string hint = nearest_hint(measure.part, names);
@@ -152,7 +152,7 @@ void evaluate_motion(const MeasureSource& source, const std::vector<Measure>& me
       result.responses.push_back(number_of(measure, *found));
       continue;
     }
-    Response response{measure.unit, {}, {found->metrics[source.places[k]]}, {}};
+    Response response{measure.unit, {}, {found->metrics[source.places[k]]}};
     for (const std::vector<double>& by : found->derivatives) response.derivatives.push_back({by[source.places[k]]});
     result.responses.push_back(std::move(response));
   }
@@ -188,7 +188,7 @@ SourceValues evaluate(const MeasureSource& source, const FreeModel& model, const
       std::vector<Measure> own;
       for (const std::size_t q : source.measures) own.push_back(measures[q]);
       const std::vector<double> numbers = start_values(model, own, unknowns, values);
-      for (std::size_t k = 0; k < own.size(); ++k) result.responses.push_back({own[k].unit, {}, {numbers[k]}, {}});
+      for (std::size_t k = 0; k < own.size(); ++k) result.responses.push_back({own[k].unit, {}, {numbers[k]}});
     }
   } catch (const UserError& error) {
     result.failure = error.what();

@@ -49,6 +49,7 @@ MeasureSet with_sources(const FreeModel& model, const std::vector<Unknown>& unkn
 struct Response {
   std::string unit = {};
   std::vector<double> at = {}, values = {};           ///< of a single number one value, and no `at`
+  Heading abscissa = {};                              ///< of a curve
   std::vector<std::vector<double>> derivatives = {};  ///< by each free parameter, in the order of the unknowns; or none
 };
 
