@@ -7,7 +7,7 @@ if [ "${1:-}" = --long ]; then without=; fi
 cd "$(dirname "$0")/.."
 
 .ci/install g++ binutils cmake make ninja-build libeigen3-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
-  libpugixml-dev libopenblas-serial-dev libsuitesparse-dev libsundials-dev libceres-dev libgtest-dev libbenchmark-dev nodejs npm python3
+  libpugixml-dev libopenblas-serial-dev libsuitesparse-dev libsundials-dev libceres-dev libnlopt-dev libgtest-dev libbenchmark-dev nodejs npm python3
 # All else is fetched and unpacked while the compiler has the processors.
 .ci/install clang libsimbody-dev libmujoco-dev libclang-rt-14-dev patch locales python3-numpy python3-scipy dpkg-dev \
   pkg-config libxml2-utils file g++-aarch64-linux-gnu qemu-user openmpi-bin chromium &

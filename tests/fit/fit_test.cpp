@@ -174,7 +174,7 @@ TEST_F(Fit, AKilledFitGoesOnToTheSameResult) {
   // Another fit does not take it.
   const Outcome other = mbgen(words + "--loss huber:2 -o whole.json");
   EXPECT_EQ(other.exit_code, 1);
-  EXPECT_NE(other.err.find("whole.json.journal: belongs to another fit"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("whole.json.journal: belongs to another run of mbgen fit"), std::string::npos) << other.err;
   EXPECT_EQ(mbgen(words + "--loss huber:2 --restart -o whole.json").exit_code, 0);
 }
 
@@ -218,6 +218,12 @@ TEST_F(Fit, TakesSingleNumbersAndModesAsTargets) {
   // Errors by hand: d frequency / frequency = d stiffness / (2 stiffness).
   EXPECT_NEAR(value_of(result, "stiffness", "standard_error"), 2 * omega * omega * 2 * 0.01 / 2, 1e-2);
   EXPECT_NEAR(value_of(result, "start", "standard_error"), 1e-3, 1e-9);
+  // A metric of the motion: the largest speed is start sqrt(stiffness / mass), which points 2e-3 s apart miss by at
+  // most (10 * 1e-3)^2 / 2 of it.
+  const Json speed = json_of(
+      "fit block.json --target 'max(v)=1:0.01,start:x=0.1:1e-3' --free stiffness=10:1000,start --engine generic "
+      "--step 2e-3 --json");
+  EXPECT_NEAR(value_of(speed, "stiffness"), 200, 0.02);
   // Mass and stiffness only by their ratio, which is no linear combination: the direction at the result is told.
   const Json pair = json_of(words + "--free stiffness=10:1000,mass=0.1:10,start");
   ASSERT_EQ(pair["not_identified"].size(), 1u);

@@ -24,6 +24,7 @@ void add_linearize(NamedCommand application, int& exit_code);
 void add_kc(NamedCommand application, int& exit_code);
 void add_sweep(NamedCommand application, int& exit_code);
 void add_fit(NamedCommand application, int& exit_code);
+void add_optimise(NamedCommand application, int& exit_code);
 void add_bench(NamedCommand application, int& exit_code);
 void add_cache(NamedCommand application, int& exit_code);
 void add_import(NamedCommand application, int& exit_code);

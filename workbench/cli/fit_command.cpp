@@ -11,6 +11,7 @@
 #include "workbench/host/files.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/process.hpp"
+#include "workbench/search/found_model.hpp"
 #include "workbench/sweep/sweep_parts.hpp"
 
 namespace mbgen::cli {
@@ -36,7 +37,12 @@ int run_fit(FitOptions options) {
     read.insert(read.end(), files->begin(), files->end());
   if (!options.out.empty()) require_other_file(options.out, read);
   if (!options.page.empty()) require_other_file(options.page, read);
-  if (!options.out.empty()) fit::require_places(options.fit, options.out);
+  if (!options.out.empty()) {
+    std::vector<std::string> names;
+    for (const std::vector<std::string>* texts : {&options.fit.free, &options.fit.model.set})
+      for (const std::string& text : *texts) names.push_back(text.substr(0, text.find('=')));
+    require_places(options.fit.model.path, names, options.out);
+  }
   options.fit.journal = journal_of_fit(options.out);
   try {
     const fit::FitResult result = fit::fit_model_to_data(options.fit);
@@ -96,9 +102,11 @@ void add_fit(NamedCommand application, int& exit_code) {
   command
       .add_option(
           "--target", fit.targets,
-          "start:OUTPUT=VALUE:SIGMA, mode:K:frequency=VALUE:SIGMA or mode:K:damping=VALUE:SIGMA: single numbers of "
-          "the model at its start; separated by commas")
-      .separated_by(',');
+          "MEASURE=VALUE:SIGMA: single numbers, as start:OUTPUT, mode:K:frequency, mode:K:damping, kc:AXLE:FIGURE, a "
+          "metric as of sweep, or a number of the manoeuvre; separated by commas")
+      .one_value_at_a_time();
+  command.add_option("--manoeuvre", fit.manoeuvres, "manoeuvre file, whose numbers are targets; may be repeated")
+      .one_value_at_a_time();
   command
       .add_option("--free", fit.free,
                   "NAME, NAME=LOW:HIGH or NAME=LOW:START:HIGH: parameters that are found; separated by commas")

@@ -64,10 +64,10 @@ int run(int argc, char** argv) {
       "Each command explains itself: mbgen simulate --help\n"
       "--out - writes a result to standard output, and all messages to standard error.\n"
       "Exit codes: 0 done, 1 the input is at fault, 2 mbgen is at fault, 130 interrupted.");
-  for (const auto add :
-       {add_new,  add_check,  add_explain,  add_inspect,     add_generate,  add_export,     add_simulate,
-        add_plot, add_report, add_evaluate, add_equilibrium, add_linearize, add_kc,         add_sweep,
-        add_fit,  add_bench,  add_cache,    add_import,      add_schema,    add_completion, add_manual}) {
+  for (const auto add : {add_new,      add_check,  add_explain,    add_inspect,  add_generate,    add_export,
+                         add_simulate, add_plot,   add_report,     add_evaluate, add_equilibrium, add_linearize,
+                         add_kc,       add_sweep,  add_fit,        add_optimise, add_bench,       add_cache,
+                         add_import,   add_schema, add_completion, add_manual}) {
     add(line.application(), exit_code);
   }
   const std::optional<int> refused = line.parse(argc, argv);

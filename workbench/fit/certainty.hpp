@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/expressions/parameter.hpp"
-#include "workbench/fit/unknowns.hpp"
+#include "workbench/search/unknowns.hpp"
 
 namespace mbgen::fit {
 

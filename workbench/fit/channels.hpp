@@ -1,11 +1,13 @@
 #pragma once
 // Channels of a fit: outputs of the model with the columns that measure them, and their nuisance values.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compiler/model/model.hpp"
-#include "workbench/fit/unknowns.hpp"
+#include "workbench/search/measure.hpp"
+#include "workbench/search/unknowns.hpp"
 
 namespace mbgen::fit {
 
@@ -15,14 +17,14 @@ struct Channel {
   std::string column = {};               ///< of the data, by default its name
   std::string unit = {};                 ///< of the model; of a rig's column unknown before the rig has run
   int output = -1;                       ///< index into Model::outputs; -1 of a rig
-  std::string axle = {}, quantity = {};  ///< of a rig; quantity: of a mode too
-  int mode = 0;                          ///< its number, from 1; 0: none
+  std::string axle = {}, quantity = {};  ///< of a rig
+  std::optional<Measure> measure = {};   ///< a single number, of --target
   double sigma = 1;                      ///< standard deviation of its noise, in the unit
   bool has_sigma = false;                ///< it was given; else it is estimated
   int gain = -1, bias = -1, delay = -1;  ///< index of the unknown, -1: one, zero, zero
 
   bool is_of_rig() const { return !axle.empty(); }
-  bool is_of_point() const { return column.empty(); }
+  bool is_of_point() const { return measure.has_value(); }
 };
 
 /// Channels of --match: OUTPUT[=COLUMN][:SIGMA] or kc:AXLE:COLUMN[=COLUMN][:SIGMA], separated by commas. Fails:

@@ -12,15 +12,14 @@
 #include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/describe/names.hpp"
-#include "workbench/fit/fit_journal.hpp"
-#include "workbench/fit/point_targets.hpp"
-#include "workbench/fit/rig_curve.hpp"
+#include "workbench/fit/fit_reading.hpp"
 #include "workbench/fit/unit_doubts.hpp"
 #include "workbench/host/blocked_signals.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/process.hpp"
 #include "workbench/host/progress.hpp"
+#include "workbench/search/evaluation_journal.hpp"
 
 namespace mbgen::fit {
 namespace {
@@ -28,75 +27,11 @@ namespace {
 /// Rounds in which standard deviations of noise are estimated, and the change that ends them.
 constexpr int kMostRounds = 12;
 constexpr double kSameSigma = 1e-4;
-/// First guess of a noise without a given one, in parts of the standard deviation of its data.
-constexpr double kFirstNoise = 0.1;
-
-double deviation_of(const std::vector<double>& values) {
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  const double mean = sum / static_cast<double>(values.size());
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-/// Size of a channel's data: the largest standard deviation of a file, or its value where it has one alone.
-double size_of(const std::vector<MeasuredFile>& files, int channel) {
-  double size = 0;
-  for (const MeasuredFile& file : files)
-    for (const MeasuredChannel& measured : file.channels)
-      if (measured.channel == channel) size = std::max({size, deviation_of(measured.values)});
-  return size > 0 ? size : 1;
-}
-
-/// Reads the data files. Fails: UserError.
-std::vector<MeasuredFile> read_files(const FitArguments& arguments, const FitModel& model,
-                                     std::vector<Channel>& channels) {
-  std::vector<MeasuredFile> files;
-  std::vector<std::string> notes;
-  RigReports reports;
-  const auto read = [&](const std::vector<std::string>& paths, bool is_held_out) {
-    for (const std::string& path : paths) {
-      const MeasuredTable table = read_measured_table(path);
-      files.push_back(time_column(table) < 0 ? read_rig(table, model, reports, channels, is_held_out, notes)
-                                             : read_run(table, model.model, channels, is_held_out, notes));
-    }
-  };
-  read(arguments.data, false);
-  read(arguments.held_out, true);
-  for (const std::string& note : notes) print_message("{}", note);
-  if (!arguments.targets.empty()) files.push_back(point_targets(model.model, arguments.targets, channels));
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    const auto has_it = [&](const MeasuredFile& file) {
-      return !file.is_held_out && std::any_of(file.channels.begin(), file.channels.end(), [&](const auto& measured) {
-        return measured.channel == static_cast<int>(c);
-      });
-    };
-    if (std::none_of(files.begin(), files.end(), has_it))
-      throw UserError(
-          fmt::format("--match {}: no file of --data has a column \"{}\"\n", channels[c].name, channels[c].column));
-  }
-  return files;
-}
-
-/// Bounds and scale of biases, and first guesses of noises, by the sizes of the data.
-void set_sizes(FitProblem& problem) {
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-    Channel& channel = problem.channels[c];
-    const double size = size_of(problem.files, static_cast<int>(c));
-    if (!channel.has_sigma) channel.sigma = kFirstNoise * size;
-    if (channel.bias < 0) continue;
-    Unknown& bias = problem.unknowns[static_cast<std::size_t>(channel.bias)];
-    bias.lower = -kMostBias * size;
-    bias.upper = kMostBias * size;
-    bias.scale = size;
-    bias.unit = channel.unit;
-  }
-}
 
 /// The fit in scaled unknowns, with a journal.
 class Search {
  public:
-  Search(FitProblem& problem, const Loss& loss, FitJournal* journal)
+  Search(FitProblem& problem, const Loss& loss, EvaluationJournal* journal)
       : problem_(problem), loss_(loss), journal_(journal) {}
 
   std::vector<double> unscaled(const Eigen::VectorXd& scaled) const {
@@ -186,7 +121,7 @@ class Search {
 
   FitProblem& problem_;
   Loss loss_;
-  FitJournal* journal_;
+  EvaluationJournal* journal_;
   std::map<std::string, std::vector<double>> known_;
   std::string failure_;
 };
@@ -261,22 +196,19 @@ void add_channels(const FitProblem& problem, FitResult& result) {
 /// One line that tells a fit from others.
 std::string description_of(const FitArguments& arguments, const FitProblem& problem) {
   using Json = nlohmann::ordered_json;
-  Json data = Json::array(), set = Json::object();
-  for (const std::vector<std::string>* paths : {&arguments.data, &arguments.held_out})
-    for (const std::string& path : *paths) {
-      Hash hash;
-      hash.add(read_text(path));
-      data.push_back(hash.text());
-    }
+  std::vector<std::string> files = arguments.data;
+  files.insert(files.end(), arguments.held_out.begin(), arguments.held_out.end());
+  Json set = Json::object();
   for (const VariedParameter& parameter : problem.model.set) set[parameter.name] = *parameter.value;
   const ModelArguments& model = arguments.model;
   const Json words = {{"mbgen", kMbgenVersion},
                       {"model", problem.model.model.hash},
                       {"set", set},
-                      {"data", data},
+                      {"data", hashes_of_files(files)},
                       {"held", arguments.held_out.size()},
                       {"match", arguments.match},
                       {"target", arguments.targets},
+                      {"manoeuvre", hashes_of_files(arguments.manoeuvres)},
                       {"free", arguments.free},
                       {"free-start", arguments.free_start},
                       {"nuisance", arguments.nuisance},
@@ -334,28 +266,14 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   if (arguments.data.empty() != arguments.match.empty() || (arguments.data.empty() && arguments.targets.empty()))
     throw UserError("fit: give --data with --match, or --target, or both\n");
   const Loss loss = loss_of(arguments.loss);
-  FitModel model = read_fit_model(arguments.model);
-  std::vector<Channel> channels = matched_channels(model.model, arguments.match);
-  std::vector<Unknown> unknowns = free_parameters(model.model, arguments.free);
-  std::vector<MeasuredFile> files = read_files(arguments, model, channels);
-  std::vector<int> runs;
-  for (std::size_t f = 0; f < files.size(); ++f)
-    if (files[f].is_run() && !files[f].is_held_out) runs.push_back(static_cast<int>(f));
-  for (Unknown& unknown : free_starts(model.model, arguments.free_start, runs)) unknowns.push_back(std::move(unknown));
-  add_nuisances(arguments.nuisance, channels, unknowns);
-  prepare(model, unknowns, files, channels);
-  if (!model.is_tuned) print_message("fit: the model is analysed anew for each value: {}\n", model.why_not_tuned);
-  FitProblem problem{.model = model,
-                     .channels = std::move(channels),
-                     .unknowns = std::move(unknowns),
-                     .files = std::move(files),
-                     .jobs = arguments.jobs};
-  set_sizes(problem);
+  FreeModel model = read_free_model(arguments.model);
+  FitProblem problem = read_problem(arguments, model);
   BlockedSignals signals;
   problem.is_stopped = [&] { return signals.taken() != 0; };
-  std::unique_ptr<FitJournal> journal;
+  std::unique_ptr<EvaluationJournal> journal;
   if (!arguments.journal.empty())
-    journal = std::make_unique<FitJournal>(arguments.journal, description_of(arguments, problem), arguments.restart);
+    journal = std::make_unique<EvaluationJournal>(arguments.journal, "fit", description_of(arguments, problem),
+                                                  arguments.restart);
   if (journal && journal->known() > 0) print_message("fit: {} evaluations were done before\n", journal->known());
   FitResult result{.model = model.model.name,
                    .model_file = arguments.model.path,

@@ -1,26 +1,15 @@
 #pragma once
 // The door of the fit room: unknowns of a model from measurements, by bounded weighted least squares.
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "workbench/fit/certainty.hpp"
+#include "workbench/fit/fit_arguments.hpp"
 #include "workbench/fit/fit_problem.hpp"
 #include "workbench/fit/reduction.hpp"
 
 namespace mbgen::fit {
-
-/// A fit as typed.
-struct FitArguments {
-  ModelArguments model;
-  std::vector<std::string> data, held_out;  ///< files
-  std::vector<std::string> match, targets, free, free_start, nuisance;
-  std::string loss;
-  std::string journal;  ///< file, "" for none
-  int most_iterations = 100, jobs = 1;
-  bool restart = false;
-};
 
 /// Data and model of one channel in one file, at the result.
 struct ChannelFit {
@@ -64,13 +53,6 @@ std::string fit_json(const FitResult& result);
 
 /// A page with the same, and pictures of data and model.
 std::string fit_page(const FitResult& result);
-
-/// Where a model writes its parameters: JSON Pointers of the values that an including file can replace.
-std::map<std::string, std::string> parameter_places(const std::string& model_file);
-
-/// Whether the result can be written as a model: all free and set parameters have places. Fails: UserError for a
-/// parameter that no file of the model writes in its own "parameters", as one of an instance.
-void require_places(const FitArguments& arguments, const std::string& path);
 
 /// A model that includes the fitted one and has the found values, and those of --set; path: its own file.
 /// Fails: UserError, as require_places.

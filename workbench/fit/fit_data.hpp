@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "workbench/fit/channels.hpp"
-#include "workbench/fit/measured_table.hpp"
 #include "workbench/motion/input_table.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
+#include "workbench/search/measured_table.hpp"
 
 namespace mbgen::fit {
 

@@ -6,14 +6,11 @@
 #include <mutex>
 
 #include "compiler/program/in_threads.hpp"
-#include "workbench/fit/point_targets.hpp"
 #include "workbench/fit/rig_curve.hpp"
+#include "workbench/search/differences.hpp"
 
 namespace mbgen::fit {
 namespace {
-
-/// Step of differences, in parts of the scale of an unknown: the errors of truncation and rounding are near 1e-8.
-constexpr double kStep = 1e-4;
 
 /// One evaluation of the model: the values of a file at a distance from the point, for the derivative by an unknown.
 struct Evaluation {
@@ -21,19 +18,6 @@ struct Evaluation {
   double offset = 0, weight = 0;  ///< of the unknown; of this evaluation in the derivative
   Outcome outcome = {};
 };
-
-/// Offsets in steps and weights of a difference formula.
-struct Formula {
-  double step = 0;
-  std::vector<std::pair<double, double>> terms;
-};
-
-Formula formula_at(const Unknown& unknown, double value) {
-  const double step = kStep * unknown.scale;
-  if (value - step >= unknown.lower && value + step <= unknown.upper) return {step, {{-1, -0.5}, {1, 0.5}}};
-  const double inside = value - step < unknown.lower ? 1 : -1;
-  return {step, {{0, -1.5 * inside}, {inside, 2 * inside}, {2 * inside, -0.5 * inside}}};
-}
 
 /// Runs tasks on some threads; those behind a stop are left out.
 void run_tasks(const FitProblem& problem, std::size_t count, const std::function<void(std::size_t)>& task) {
@@ -106,7 +90,7 @@ std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vec
       const Unknown& unknown = problem.unknowns[u];
       if (!outcomes[f].derivatives.empty() && unknown.kind == Unknown::Kind::parameter) continue;
       if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != static_cast<int>(f))) continue;
-      const Formula formula = formula_at(unknown, values[u]);
+      const DifferenceFormula formula = difference_formula(unknown, values[u]);
       for (const auto& [steps, weight] : formula.terms)
         list.push_back({f, u, steps * formula.step, weight / formula.step});
     }
@@ -134,10 +118,11 @@ int residual_count(const FitProblem& problem, bool held) {
 
 Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care) {
   const MeasuredFile& of = problem.files[file];
-  Outcome outcome = of.is_of_rig()    ? rig_curve(problem.model, of, problem.channels, problem.unknowns, values)
-                    : of.is_of_points ? point_values(problem.model, of, problem.channels, problem.unknowns, values)
-                                      : motion_of(problem.model, of, static_cast<int>(file), problem.channels,
-                                                  problem.unknowns, values, care, problem.is_stopped);
+  Outcome outcome = of.is_of_rig() ? rig_curve(problem.model, of, problem.channels, problem.unknowns, values)
+                    : of.is_of_points
+                        ? point_values(problem.model, problem.points, problem.unknowns, values, problem.is_stopped)
+                        : motion_of(problem.model, of, static_cast<int>(file), problem.channels, problem.unknowns,
+                                    values, care, problem.is_stopped);
   if (outcome.failure.empty() && outcome.series.size() != of.channels.size()) outcome.failure = "interrupted";
   return outcome;
 }

@@ -6,16 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "workbench/fit/fit_model.hpp"
+#include "workbench/fit/point_targets.hpp"
 
 namespace mbgen::fit {
 
 /// A fit that was read and checked.
 struct FitProblem {
-  const FitModel& model;
+  const FreeModel& model;
   std::vector<Channel> channels;
   std::vector<Unknown> unknowns;
   std::vector<MeasuredFile> files;
+  MeasureSet points = {};                         ///< of the targets
   int jobs = 1;                                   ///< evaluations of the model at a time
   std::function<bool()> is_stopped = {};          ///< thread-safe
   std::function<void(long, long)> progress = {};  ///< evaluations done and to be done, from one thread at a time

@@ -8,6 +8,8 @@
 
 #include "compiler/text/json_text.hpp"
 #include "workbench/fit/fit.hpp"
+#include "workbench/search/found_model.hpp"
+#include "workbench/search/result_text.hpp"
 
 namespace mbgen::fit {
 namespace {
@@ -21,26 +23,6 @@ constexpr double kToldExcess = 5;
 /// Residuals are told to be no noise where white noise has such correlations less often.
 constexpr double kNoNoise = 0.01;
 
-using Row = std::vector<std::string>;
-
-/// Columns with blanks between them, numbers aligned right, the first and the last column left.
-std::string aligned_rows(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line = "  ";
-    for (std::size_t c = 0; c < row.size(); ++c)
-      line += c == 0                ? fmt::format("{:<{}}", row[c], widths[c])
-              : c + 1 == row.size() ? "  " + row[c]
-                                    : fmt::format("  {:>{}}", row[c], widths[c]);
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
-}
-
 std::string remark_of(const FitResult& result, std::size_t u) {
   if (result.certainty.at_bound[u] != 0)
     return fmt::format("at its {} bound", result.certainty.at_bound[u] < 0 ? "lower" : "upper");
@@ -48,7 +30,7 @@ std::string remark_of(const FitResult& result, std::size_t u) {
 }
 
 std::string unknown_rows(const FitResult& result) {
-  std::vector<Row> rows{{"parameter", "value", "standard error", "start", "bounds", ""}};
+  std::vector<TableRow> rows{{"parameter", "value", "standard error", "start", "bounds", ""}};
   for (std::size_t u = 0; u < result.unknowns.size(); ++u) {
     const Unknown& unknown = result.unknowns[u];
     const double error = result.certainty.standard_errors[u];
@@ -73,7 +55,7 @@ std::string correlation_lines(const FitResult& result) {
 }
 
 std::string channel_rows(const FitResult& result) {
-  std::vector<Row> rows{{"channel", "values", "error, rms", "sigma", "explained", "Durbin-Watson", "file"}};
+  std::vector<TableRow> rows{{"channel", "values", "error, rms", "sigma", "explained", "Durbin-Watson", "file"}};
   for (const ChannelFit& channel : result.channels)
     rows.push_back({fmt::format("{} [{}]", channel.channel, channel.unit.empty() ? "1" : channel.unit),
                     fmt::format("{}", channel.data.size()), fmt::format("{:.4g}", channel.rms),
@@ -103,10 +85,6 @@ std::string doubt_lines(const FitResult& result) {
         std::sqrt(result.squares / freedoms));
   for (const std::string& warning : result.warnings) text += fmt::format("  warning: {}\n", warning);
   return text;
-}
-
-nlohmann::ordered_json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 nlohmann::ordered_json matrix_json(const Eigen::MatrixXd& matrix) {
@@ -194,6 +172,16 @@ std::string fit_json(const FitResult& result) {
                     {"not_identified", unseen},
                     {"channels", channels},
                     {"warnings", result.warnings}});
+}
+
+std::string fitted_model(const FitResult& result, const std::string& path) {
+  FoundModel found{result.model + "_fitted", "values found by mbgen fit", result.model_file, {}};
+  for (const VariedParameter& parameter : result.set)
+    if (parameter.name != kStepOfMotion) found.values.emplace_back(parameter.name, *parameter.value);
+  for (std::size_t u = 0; u < result.unknowns.size(); ++u)
+    if (result.unknowns[u].kind == Unknown::Kind::parameter)
+      found.values.emplace_back(result.unknowns[u].name, result.values[u]);
+  return text_of(found, path);
 }
 
 }  // namespace mbgen::fit

@@ -16,7 +16,9 @@
 #include "workbench/motion/motion_judge.hpp"
 #include "workbench/motion/motion_table.hpp"
 #include "workbench/motion/simulation_text.hpp"
+#include "workbench/sensitivity/tangent_engine.hpp"
 #include "workbench/start/initial_state.hpp"
+#include "workbench/sweep/metric_derivatives.hpp"
 
 namespace mbgen {
 namespace {
@@ -42,16 +44,26 @@ Compilation compilation_of_case(const Study& study, const StudySolver& solver, M
 /// The columns that the metrics need, point by point.
 class Recorder {
  public:
-  Recorder(const Study& study, const Compilation& compilation, double step) : columns_(study.metrics.columns) {
+  Recorder(const Study& study, const Compilation& compilation, double step, const TangentEngine& moving)
+      : columns_(study.metrics.columns), moving_(moving) {
     points_.step = step;
+    if (moving_.memory) slopes_.assign(static_cast<std::size_t>(moving_.memory->parameters), {step, {}});
     for (const MetricColumn& column : columns_) places_.push_back(place_of(column, compilation.topology));
   }
 
   void add(const Sample& sample) {
     for (std::size_t c = 0; c < columns_.size(); ++c) points_.values.push_back(value(c, sample));
+    if (slopes_.empty()) return;
+    const std::vector<double> derivatives = output_derivatives(moving_);
+    for (std::size_t p = 0; p < slopes_.size(); ++p)
+      for (std::size_t c = 0; c < columns_.size(); ++c)
+        slopes_[p].values.push_back(
+            columns_[c].kind == MetricColumn::Kind::output ? derivatives[places_[c] * slopes_.size() + p] : 0.0);
   }
 
   const MetricPoints& points() const { return points_; }
+  /// Derivatives of the points by each parameter; of times and inputs zero.
+  const std::vector<MetricPoints>& slopes() const { return slopes_; }
 
  private:
   static std::size_t place_of(const MetricColumn& column, const Topology& topology) {
@@ -80,8 +92,10 @@ class Recorder {
   }
 
   const std::vector<MetricColumn>& columns_;
+  const TangentEngine& moving_;
   std::vector<std::size_t> places_;
   MetricPoints points_;
+  std::vector<MetricPoints> slopes_;
 };
 
 CaseResult failed(const Study& study, std::string status) {
@@ -109,9 +123,10 @@ std::vector<std::string> assignments_of(const std::vector<VariedParameter>& vari
 /// A case that is about to move.
 struct CaseTask {
   const Study& study;
-  long index;
+  const std::vector<double>& values;  ///< of the axes
+  std::string kept;                   ///< file of its motion, "" for none
   const Compilation& compilation;
-  const Engine& engine;
+  TangentEngine& moving;
   const InputsOverTime& inputs;
   std::vector<std::string> set;  ///< name=value of its parameters
 };
@@ -121,11 +136,10 @@ class KeptMotion {
  public:
   KeptMotion(const CaseTask& task, const SimulationSettings& settings) : task_(task), settings_(settings) {
     const StudyArguments& arguments = task.study.arguments;
-    if (arguments.keep.empty()) return;
+    if (task.kept.empty()) return;
     std::vector<std::string> read = task.compilation.model.files;
     read.insert(read.end(), {arguments.simulation.input_table, arguments.manoeuvre});
-    file_ = kept_file(task.study, task.index);
-    table_.emplace(file_, TableFormat::csv, task.compilation, settings.step, arguments.every, std::move(read));
+    table_.emplace(task.kept, TableFormat::csv, task.compilation, settings.step, arguments.every, std::move(read));
   }
   void add(const Sample& sample) {
     if (table_) table_->add(sample);
@@ -136,7 +150,7 @@ class KeptMotion {
                                   task_.study.choice,
                                   settings_,
                                   motion.summary,
-                                  file_,
+                                  task_.kept,
                                   table_->finish(),
                                   task_.study.arguments.every,
                                   motion.verdict,
@@ -154,19 +168,18 @@ class KeptMotion {
     ManoeuvreWords words = manoeuvre ? manoeuvre->words() : ManoeuvreWords();
     nlohmann::ordered_json members =
         manoeuvre ? nlohmann::ordered_json::parse(words.members) : nlohmann::ordered_json::object();
-    const std::vector<double> values = task_.study.grid.values_of(task_.index);
-    for (std::size_t a = 0; a < values.size(); ++a) members["case"][task_.study.grid.axes[a].name] = values[a];
+    for (std::size_t a = 0; a < task_.values.size(); ++a)
+      members["case"][task_.study.grid.axes[a].name] = task_.values[a];
     words.members = members.dump();
     return words;
   }
   const CaseTask& task_;
   const SimulationSettings& settings_;
-  std::string file_;
   std::optional<MotionTable> table_;
 };
 
 /// Metrics and status of a motion that came to its end.
-CaseResult result_of(const CaseTask& task, const JudgedMotion& motion, const MetricPoints& points,
+CaseResult result_of(const CaseTask& task, const JudgedMotion& motion, const Recorder& recorder,
                      const ManoeuvreRun* manoeuvre) {
   const auto& [summary, verdict, control] = motion;
   const Study& study = task.study;
@@ -174,7 +187,7 @@ CaseResult result_of(const CaseTask& task, const JudgedMotion& motion, const Met
   if (const std::optional<double> instant = instant_outside(study.metrics, summary.end_time); manoeuvre && instant)
     return failed(study,
                   fmt::format("at({}, ...) is not in the motion, which ends at {:.6g} s", *instant, summary.end_time));
-  CaseResult result{"ok" + passed, evaluate(study.metrics, task.compilation.model.parameters, points),
+  CaseResult result{"ok" + passed, evaluate(study.metrics, task.compilation.model.parameters, recorder.points()),
                     summary.energy.relative_error()};
   if (!verdict.warnings.empty())
     result.status = fmt::format("warning: {}{}", fmt::join(verdict.warnings, "; "), passed);
@@ -182,6 +195,10 @@ CaseResult result_of(const CaseTask& task, const JudgedMotion& motion, const Met
     if (std::isfinite(result.metrics[m])) continue;
     return failed(study, fmt::format("metric {} is {}", study.metrics.list[m].name, result.metrics[m]));
   }
+  for (std::size_t p = 0; p < recorder.slopes().size(); ++p)
+    result.derivatives.push_back(derivatives_by(study.metrics, study.grid.axes[p].name,
+                                                task.compilation.model.parameters, recorder.points(),
+                                                recorder.slopes()[p]));
   if (!manoeuvre) return result;
   for (const VehicleMetric& number : manoeuvre->numbers())
     result.of_manoeuvre.push_back({number.name, number.unit, number.value});
@@ -191,12 +208,13 @@ CaseResult result_of(const CaseTask& task, const JudgedMotion& motion, const Met
 /// The motion of a case and its metrics; none where it is stopped.
 std::optional<CaseResult> measured(const CaseTask& task, const SimulationSettings& settings, ManoeuvreRun* manoeuvre) {
   Start start = initial_start(task.compilation, task.inputs.at(0));
-  start.state = initial_state(start, task.engine);
+  start.state = initial_state(start, task.moving.engine);
+  start_motion(task.compilation, start.state, task.moving);
   if (manoeuvre) manoeuvre->look_at_steering(task.compilation, start.state, task.inputs.at(0));
-  Recorder recorder(task.study, task.compilation, settings.step);
+  Recorder recorder(task.study, task.compilation, settings.step, task.moving);
   KeptMotion kept(task, settings);
   const MotionTask motion_task{.compilation = task.compilation,
-                               .engine = task.engine,
+                               .engine = task.moving.engine,
                                .integrator = task.study.choice.integrator,
                                .settings = settings,
                                .start = start.state,
@@ -215,7 +233,7 @@ std::optional<CaseResult> measured(const CaseTask& task, const SimulationSetting
     return failed(task.study, fmt::format("{}", fmt::join(words, "; ")));
   }
   if (!motion.verdict.failure.empty()) return failed(task.study, motion.verdict.failure);
-  return result_of(task, motion, recorder.points(), manoeuvre);
+  return result_of(task, motion, recorder, manoeuvre);
 }
 
 /// Drives the manoeuvre of a case, or lets it move by itself.
@@ -225,7 +243,7 @@ std::optional<CaseResult> driven(const CaseTask& task, const std::function<bool(
   std::shared_ptr<ManoeuvreRun> run;
   if (!study.manoeuvre.empty()) {
     const std::string& file = study.arguments.manoeuvre;
-    const std::vector<ManoeuvreValue> values = manoeuvre_values(study, study.grid.values_of(task.index));
+    const std::vector<ManoeuvreValue> values = manoeuvre_values(study, task.values);
     SimulationArguments arguments = study.arguments.simulation;
     run = run_of(expect(read_manoeuvre(study.manoeuvre, file, values)), file, task.compilation.model, arguments);
     settings = settings_of(arguments, task.compilation.model.solver);
@@ -234,27 +252,42 @@ std::optional<CaseResult> driven(const CaseTask& task, const std::function<bool(
   return measured(task, settings, run.get());
 }
 
+/// The engine of a case, with derivatives by the axes where they are asked for.
+TangentEngine engine_of_case(const Study& study, const StudySolver& solver, const Compilation& compilation,
+                             bool with_derivatives) {
+  if (!with_derivatives || !solver.tangents)
+    return {nullptr, solver.table ? make_generated_engine(solver.table, compilation, study.choice)
+                                  : make_engine(compilation, study.choice)};
+  std::vector<std::string> names;
+  for (const SweepAxis& axis : study.grid.axes) names.push_back(axis.name);
+  return make_tangent_engine(solver.tangents, compilation, study.choice, names);
+}
+
 }  // namespace
 
-std::optional<CaseResult> run_case(const Study& study, const StudySolver& solver, long index,
-                                   const std::function<bool()>& is_stopped) {
-  const std::vector<double> values = study.grid.values_of(index);
-  const std::vector<VariedParameter> varied = varied_parameters(study, values, study.is_tuned);
+std::optional<CaseResult> run_at(const Study& study, const StudySolver& solver, const CaseAt& at,
+                                 const std::function<bool()>& is_stopped) {
+  const std::vector<VariedParameter> varied = varied_parameters(study, at.values, study.is_tuned);
   Result<Model> model = model_with(study, varied);
   require_unchanged(study, model);
   try {
     if (!model) expect(std::move(model));
     model->solver.integrator = study.choice.integrator;
     std::vector<std::string> set = assignments_of(varied);
-    if (!study.arguments.keep.empty()) model->hash = hash_of_set(model->hash, set_parameters(*model, set));
+    if (!at.kept.empty()) model->hash = hash_of_set(model->hash, set_parameters(*model, set));
     const Compilation compilation = compilation_of_case(study, solver, expect(std::move(model)));
-    const Engine engine = solver.table ? make_generated_engine(solver.table, compilation, study.choice)
-                                       : make_engine(compilation, study.choice);
-    const InputsOverTime inputs = inputs_of(study, compilation.model, values);
-    return driven({study, index, compilation, engine, inputs, std::move(set)}, is_stopped);
+    TangentEngine moving = engine_of_case(study, solver, compilation, at.with_derivatives);
+    const InputsOverTime inputs = inputs_of(study, compilation.model, at.values);
+    return driven({study, at.values, at.kept, compilation, moving, inputs, std::move(set)}, is_stopped);
   } catch (const UserError& error) {
     return failed(study, first_line(error.what()));
   }
+}
+
+std::optional<CaseResult> run_case(const Study& study, const StudySolver& solver, long index,
+                                   const std::function<bool()>& is_stopped) {
+  const std::string kept = study.arguments.keep.empty() ? "" : kept_file(study, index);
+  return run_at(study, solver, {study.grid.values_of(index), kept}, is_stopped);
 }
 
 }  // namespace mbgen

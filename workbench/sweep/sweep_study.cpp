@@ -14,11 +14,10 @@
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/manoeuvre/manoeuvre_run.hpp"
+#include "workbench/sweep/metric_derivatives.hpp"
 
 namespace mbgen {
 namespace {
-
-constexpr const char* kMetricOption = "--metric";
 
 /// Lets the varied parameters be tunable, or finds out why they cannot.
 void choose_tuning(Study& study) {
@@ -50,12 +49,14 @@ void check_given_once(const Study& study) {
   for (const SweepAxis& axis : study.grid.axes) {
     for (const VariedParameter& parameter : study.set) {
       if (axis.of == SweepAxis::Of::parameter && parameter.name == axis.name) {
-        throw UserError(fmt::format("--set {0}: --vary gives \"{0}\" its values\n", axis.name));
+        throw UserError(
+            fmt::format("--set {0}: {1} gives \"{0}\" its values\n", axis.name, study.arguments.vary_option));
       }
     }
     for (const std::string& assignment : study.arguments.engine.inputs) {
       if (axis.of == SweepAxis::Of::input && assignment.substr(0, assignment.find('=')) == axis.name) {
-        throw UserError(fmt::format("--input {0}: --vary gives \"{0}\" its values\n", axis.name));
+        throw UserError(
+            fmt::format("--input {0}: {1} gives \"{0}\" its values\n", axis.name, study.arguments.vary_option));
       }
     }
   }
@@ -77,8 +78,8 @@ void set_start_speed(Study& study, const Manoeuvre& manoeuvre, std::vector<std::
   };
   const std::string name = std::string(kOfManoeuvre) + "speed";
   if (is_varied(speed->name))
-    throw UserError(
-        fmt::format("--vary {}: the manoeuvre says at which speed it starts; vary {}\n", speed->name, name));
+    throw UserError(fmt::format("{} {}: the manoeuvre says at which speed it starts; vary {}\n",
+                                study.arguments.vary_option, speed->name, name));
   if (is_varied(name)) {
     study.start_speed = speed->name;
     const std::string given = speed->name + "=";
@@ -146,14 +147,14 @@ Study read_study(const StudyArguments& arguments) {
   Study study;
   study.arguments = arguments;
   read_files(study);
-  study.metrics = expect(read_metrics(arguments.metrics, study.model, kMetricOption));
+  study.metrics = expect(read_metrics(arguments.metrics, study.model, arguments.metric_option));
   follow_step(study.settings, study.set, study.model);
   require_whole_periods(study.settings, study.model);
   const double end = static_cast<double>(study.settings.steps) * study.settings.step;
   const std::optional<double> instant = instant_outside(study.metrics, end);
   if (instant && study.manoeuvre.empty()) {  // each case has its own duration
-    throw UserError(
-        fmt::format("{}: at({}, ...) is not in the motion, which lasts {} s\n", kMetricOption, *instant, end));
+    throw UserError(fmt::format("{}: at({}, ...) is not in the motion, which lasts {} s\n", arguments.metric_option,
+                                *instant, end));
   }
   study.choice = chosen_engine(arguments.engine);
   const auto& engines = engine_names();
@@ -212,6 +213,18 @@ StudySolver prepare(const Study& study) {
   StudySolver solver{expect(decide_to_write(study.model)), nullptr};
   solver.table = load_solver(solver.compilation, study.choice);
   return solver;
+}
+
+std::string add_derivatives(const Study& study, StudySolver& solver) {
+  if (!solver.table) return "no generated solver";
+  if (!study.manoeuvre.empty()) return "a manoeuvre is driven";
+  for (const SweepAxis& axis : study.grid.axes) {
+    if (axis.of != SweepAxis::Of::parameter) return fmt::format("\"{}\" is no parameter", axis.name);
+  }
+  std::string reason = why_no_derivatives(study.metrics, study.model.parameters);
+  if (!reason.empty()) return reason;
+  solver.tangents = load_tangents(solver.compilation, study.choice);
+  return "";
 }
 
 }  // namespace mbgen

@@ -21,6 +21,7 @@ namespace mbgen {
 struct StudyArguments {
   std::string model, manoeuvre;
   std::vector<std::string> vary, metrics, set;
+  std::string vary_option = "--vary", metric_option = "--metric";  ///< for messages
   std::string keep;  ///< directory for the motions of the cases, "" for none
   long every = 1;    ///< steps from one row of a kept motion to the next
   SimulationArguments simulation;
@@ -59,6 +60,7 @@ struct CaseResult {
   std::vector<double> metrics;  ///< of all metrics; NaN where there are none
   double energy_error = 0;      ///< of the motion, relative
   std::vector<ManoeuvreResult> of_manoeuvre = {};
+  std::vector<std::vector<double>> derivatives = {};  ///< of the metrics by each axis, where they were asked for
   bool is_warned() const { return status.starts_with("warning: "); }
   bool has_values() const { return status == "ok" || status.starts_with("ok, ") || is_warned(); }
 };
@@ -90,10 +92,15 @@ InputsOverTime inputs_of(const Study& study, const Model& model, const std::vect
 /// Data that all cases and threads share: analysis, compiled solver.
 struct StudySolver {
   Compilation compilation;
-  std::shared_ptr<const SolverTable> table;  ///< null for engines that are made of the model of each case
+  std::shared_ptr<const SolverTable> table;                ///< null for engines that are made of the model of each case
+  std::shared_ptr<const TangentTable> tangents = nullptr;  ///< null without derivatives
 };
 
 /// Analyses, generates and compiles. Fails: UserError.
 StudySolver prepare(const Study& study);
+
+/// Adds exact derivatives of the metrics by the axes to a solver. Result: the reason why they have none, "" where they
+/// do. Fails: UserError.
+std::string add_derivatives(const Study& study, StudySolver& solver);
 
 }  // namespace mbgen

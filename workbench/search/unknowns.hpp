@@ -6,7 +6,7 @@
 
 #include "compiler/model/model.hpp"
 
-namespace mbgen::fit {
+namespace mbgen {
 
 /// One unknown; SI units.
 struct Unknown {
@@ -34,4 +34,4 @@ std::vector<Unknown> free_parameters(const Model& model, const std::vector<std::
 std::vector<Unknown> free_starts(const Model& model, const std::vector<std::string>& texts,
                                  const std::vector<int>& runs);
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

@@ -1,4 +1,4 @@
-#include "workbench/fit/unknowns.hpp"
+#include "workbench/search/unknowns.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
 
-namespace mbgen::fit {
+namespace mbgen {
 namespace {
 
 /// Bounds without typed ones, in parts of the value.
@@ -139,4 +139,4 @@ std::vector<Unknown> free_starts(const Model& model, const std::vector<std::stri
   return list;
 }
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

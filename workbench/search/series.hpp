@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace mbgen::fit {
+namespace mbgen {
 
 /// One quantity at increasing abscissas; a single value has one point, at any abscissa.
 struct Series {
@@ -23,4 +23,4 @@ constexpr double kSamePoint = 1e-6;
 /// power of the distance of points. Outside, the value at the end, without slope. Requires: at least one point.
 SeriesPoint at(const Series& series, double abscissa);
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

@@ -1,4 +1,4 @@
-#include "workbench/fit/measured_table.hpp"
+#include "workbench/search/measured_table.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/files.hpp"
 
-namespace mbgen::fit {
+namespace mbgen {
 namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
@@ -147,4 +147,4 @@ std::vector<double> times_of(const MeasuredTable& table) {
   return times;
 }
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

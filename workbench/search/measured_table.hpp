@@ -6,7 +6,7 @@
 
 #include "workbench/results/results.hpp"
 
-namespace mbgen::fit {
+namespace mbgen {
 
 /// A table as it stands in its file; a gap (an empty field, or "nan") is NaN.
 struct MeasuredTable {
@@ -33,4 +33,4 @@ std::vector<double> in_unit(const MeasuredTable& table, const Column& column, co
 /// Times in s. Fails: UserError with file and line for a gap, a time that does not increase, or is below 0.
 std::vector<double> times_of(const MeasuredTable& table);
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

@@ -1,4 +1,4 @@
-// The result of a fit as a model that includes the fitted one.
+#include "workbench/search/found_model.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,9 @@
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
-#include "workbench/fit/fit.hpp"
 #include "workbench/host/files.hpp"
 
-namespace mbgen::fit {
+namespace mbgen {
 
 std::map<std::string, std::string> parameter_places(const std::string& model_file) {
   const Model model = expect(read_model_file(model_file));
@@ -43,39 +42,27 @@ const std::string& place_of(const std::map<std::string, std::string>& places, co
       path, name, model));
 }
 
-std::string before_sign(const std::string& text) { return text.substr(0, text.find('=')); }
-
 }  // namespace
 
-void require_places(const FitArguments& arguments, const std::string& path) {
-  const std::string& file = arguments.model.path;
-  const Model model = expect(read_model_file(file));
-  const std::map<std::string, std::string> places = parameter_places(file);
-  for (const std::vector<std::string>* texts : {&arguments.free, &arguments.model.set})
-    for (const std::string& text : *texts) {
-      const std::string name = before_sign(text);
-      for (const Parameter& parameter : model.parameters)
-        if (parameter.name == name) place_of(places, name, file, path);
-    }
+void require_places(const std::string& model_file, const std::vector<std::string>& names, const std::string& path) {
+  const Model model = expect(read_model_file(model_file));
+  const std::map<std::string, std::string> places = parameter_places(model_file);
+  for (const std::string& name : names)
+    for (const Parameter& parameter : model.parameters)
+      if (parameter.name == name) place_of(places, name, model_file, path);
 }
 
-std::string fitted_model(const FitResult& result, const std::string& path) {
+std::string text_of(const FoundModel& found, const std::string& path) {
   namespace fs = std::filesystem;
-  const std::map<std::string, std::string> places = parameter_places(result.model_file);
+  const std::map<std::string, std::string> places = parameter_places(found.model_file);
   nlohmann::ordered_json replaced = nlohmann::ordered_json::object();
-  const auto replace = [&](const std::string& name, double value) {
-    replaced[place_of(places, name, result.model_file, path)] = value;
-  };
-  for (const VariedParameter& parameter : result.set)
-    if (parameter.name != kStepOfMotion) replace(parameter.name, *parameter.value);
-  for (std::size_t u = 0; u < result.unknowns.size(); ++u)
-    if (result.unknowns[u].kind == Unknown::Kind::parameter) replace(result.unknowns[u].name, result.values[u]);
+  for (const auto& [name, value] : found.values) replaced[place_of(places, name, found.model_file, path)] = value;
   const fs::path directory = fs::absolute(path).parent_path();
-  const std::string file = fs::absolute(result.model_file).lexically_relative(directory).generic_string();
+  const std::string file = fs::absolute(found.model_file).lexically_relative(directory).generic_string();
   return json_text({{"mbgen", 1},
-                    {"name", result.model + "_fitted"},
-                    {"description", "values found by mbgen fit"},
+                    {"name", found.name},
+                    {"description", found.description},
                     {"include", {{{"file", file}, {"replace", replaced}}}}});
 }
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

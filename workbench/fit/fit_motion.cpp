@@ -1,4 +1,4 @@
-#include "workbench/fit/fit_model.hpp"
+#include "workbench/fit/fit_motion.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,14 +16,6 @@
 
 namespace mbgen::fit {
 namespace {
-
-std::vector<VariedParameter> varied_by(const FitModel& model, const std::vector<Unknown>& unknowns,
-                                       const std::vector<double>& values) {
-  std::vector<VariedParameter> varied = model.set;
-  for (std::size_t u = 0; u < unknowns.size(); ++u)
-    if (unknowns[u].kind == Unknown::Kind::parameter) varied.push_back({unknowns[u].name, values[u], model.is_tuned});
-  return varied;
-}
 
 /// Sets values at the start of a run into the model.
 void set_starts(const std::vector<Unknown>& unknowns, const std::vector<double>& values, int run, Model& model) {
@@ -44,7 +36,7 @@ void set_starts(const std::vector<Unknown>& unknowns, const std::vector<double>&
 }
 
 /// Whole steps up to the last row.
-SimulationSettings settings_to(const FitModel& model, double end) {
+SimulationSettings settings_to(const FreeModel& model, double end) {
   SimulationArguments arguments = model.arguments.simulation;
   const double step = arguments.step.value_or(model.model.solver.step);
   constexpr double kRounding = 1e-9;
@@ -88,18 +80,6 @@ class SeriesRecorder {
   std::vector<std::vector<Series>> derivatives_;
 };
 
-/// An engine at the parameters of a compilation, with derivatives where they are asked for.
-TangentEngine engine_of(const FitModel& model, const std::vector<Unknown>& unknowns, const Compilation& compilation,
-                        Care care) {
-  if (care != Care::exact || !model.tangents)
-    return {nullptr, model.table ? make_generated_engine(model.table, compilation, model.choice)
-                                 : make_engine(compilation, model.choice)};
-  std::vector<std::string> names;
-  for (const Unknown& unknown : unknowns)
-    if (unknown.kind == Unknown::Kind::parameter) names.push_back(unknown.name);
-  return make_tangent_engine(model.tangents, compilation, model.choice, names);
-}
-
 /// The points of a motion that the data need: those at their times, or three on each side for the cubic between two;
 /// all of them where a channel has a delay.
 std::vector<bool> needed_points(const MeasuredFile& file, const std::vector<Channel>& channels,
@@ -120,12 +100,10 @@ std::vector<bool> needed_points(const MeasuredFile& file, const std::vector<Chan
   return needed;
 }
 
-std::string one_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
+Outcome moved(const FreeModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
               const std::vector<Unknown>& unknowns, const Compilation& compilation, Care care,
               const std::function<bool()>& is_stopped) {
-  TangentEngine moving = engine_of(model, unknowns, compilation, care);
+  TangentEngine moving = engine_of(model, unknowns, compilation, care == Care::exact);
   const Engine& engine = moving.engine;
   const std::vector<std::string>& assignments = model.arguments.engine.inputs;
   const InputsOverTime inputs =
@@ -149,107 +127,21 @@ Outcome moved(const FitModel& model, const MeasuredFile& file, const std::vector
                             .inputs = inputs},
                            record);
     outcome.warnings = motion.verdict.warnings;
-    if (!motion.verdict.failure.empty()) outcome.failure = one_line(motion.verdict.failure);
+    if (!motion.verdict.failure.empty()) outcome.failure = headline(motion.verdict.failure);
   } else {
     const std::vector<bool> needed = needed_points(file, channels, settings);
     if (!needed.empty()) settings.is_sample = [&](long step) { return needed[static_cast<std::size_t>(step)]; };
     motion.summary = simulate(engine, state, inputs, settings, record);
   }
   if (motion.summary.is_stopped) outcome.failure = "interrupted";
-  if (!motion.summary.status.ok()) outcome.failure = one_line(end_text(compilation, motion));
+  if (!motion.summary.status.ok()) outcome.failure = headline(end_text(compilation, motion));
   recorder.give(outcome);
   return outcome;
 }
 
-/// Lets the free parameters be tunable, or finds out why they cannot.
-void choose_tuning(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<double>& starts) {
-  Result<Model> tuned = read_varied_model(model.arguments.path, varied_by(model, unknowns, starts));
-  if (tuned) {
-    model.model = std::move(*tuned);
-    model.model.solver.integrator = model.choice.integrator;
-    return;
-  }
-  const Diagnostic& first = tuned.problems().front();
-  model.is_tuned = false;
-  model.why_not_tuned =
-      fmt::format("{}:{}:{}: {}", first.where.file, first.where.line, first.where.column, first.message);
-  model.model = expect(read_varied_model(model.arguments.path, varied_by(model, unknowns, starts)));
-  model.model.solver.integrator = model.choice.integrator;
-  if (model.choice.name != "generated") return;
-  if (model.arguments.has_engine)
-    throw UserError(fmt::format(
-        "--engine generated: one solver cannot serve all values: {}\n  hint: leave out --engine: the model is then "
-        "analysed for each value and runs on the generic engine\n",
-        model.why_not_tuned));
-  model.choice.name = "generic";
-}
-
-/// Loads the solver with derivatives, unless the start has none.
-void choose_derivatives(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<double>& starts) {
-  model.tangents = load_tangents(model.compilation, model.choice);
-  try {
-    const Compilation compilation = compilation_at(model, unknowns, starts);
-    std::vector<double> inputs;
-    for (const Input& input : compilation.model.inputs) inputs.push_back(input.default_value);
-    TangentEngine moving = engine_of(model, unknowns, compilation, Care::exact);
-    start_motion(compilation, initial_start(compilation, inputs).state, moving);
-  } catch (const UserError& error) {
-    model.tangents = nullptr;
-    model.why_differences = one_line(error.what());
-  }
-}
-
 }  // namespace
 
-FitModel read_fit_model(const ModelArguments& arguments) {
-  FitModel model{.arguments = arguments};
-  model.model = expect(read_model_file(arguments.path));
-  model.set = set_parameters(model.model, arguments.set);
-  model.model = expect(read_varied_model(arguments.path, model.set));
-  SimulationArguments simulation = arguments.simulation;
-  const SimulationSettings settings = settings_of(simulation, model.model.solver);
-  follow_step(settings, model.set, model.model);
-  require_whole_periods(settings, model.model);
-  model.choice = chosen_engine(arguments.engine);
-  const auto& engines = engine_names();
-  if (std::find(engines.begin(), engines.end(), model.choice.name) == engines.end())
-    make_engine({}, model.choice);  // whose refusal lists the engines
-  model.choice.integrator = model.model.solver.integrator =
-      integrator_of(simulation.integrator, model.model.solver.integrator, model.choice.name);
-  return model;
-}
-
-void prepare(FitModel& model, const std::vector<Unknown>& unknowns, const std::vector<MeasuredFile>& files,
-             const std::vector<Channel>& channels) {
-  std::vector<double> starts;
-  for (const Unknown& unknown : unknowns) {
-    starts.push_back(unknown.start);
-    for (const VariedParameter& given : model.set)
-      if (unknown.kind == Unknown::Kind::parameter && given.name == unknown.name)
-        throw UserError(fmt::format("--set {0}: --free finds the value of \"{0}\"\n", given.name));
-  }
-  const bool has_runs = std::any_of(files.begin(), files.end(), [](const MeasuredFile& file) { return file.is_run(); });
-  const bool has_modes = std::any_of(channels.begin(), channels.end(), [](const Channel& one) { return one.mode > 0; });
-  if (!has_runs && !model.arguments.has_engine) model.choice.name = "generic";
-  choose_tuning(model, unknowns, starts);
-  if (!model.is_tuned) return;
-  const bool is_generated = model.choice.name == "generated";
-  model.compilation = expect(is_generated ? decide_to_write(model.model) : decide(model.model));
-  if (has_modes) add_programs(model.compilation);
-  if (!is_generated) return;
-  model.table = load_solver(model.compilation, model.choice);
-  if (has_runs) choose_derivatives(model, unknowns, starts);
-}
-
-Compilation compilation_at(const FitModel& model, const std::vector<Unknown>& unknowns,
-                           const std::vector<double>& values) {
-  Model at = expect(read_varied_model(model.arguments.path, varied_by(model, unknowns, values)));
-  at.solver.integrator = model.choice.integrator;
-  if (!model.is_tuned) return expect(decide(std::move(at)));
-  return {std::move(at), model.compilation.topology, model.compilation.analysis, {}};
-}
-
-Outcome motion_of(const FitModel& model, const MeasuredFile& file, int run, const std::vector<Channel>& channels,
+Outcome motion_of(const FreeModel& model, const MeasuredFile& file, int run, const std::vector<Channel>& channels,
                   const std::vector<Unknown>& unknowns, const std::vector<double>& values, Care care,
                   const std::function<bool()>& is_stopped) {
   try {
@@ -257,7 +149,7 @@ Outcome motion_of(const FitModel& model, const MeasuredFile& file, int run, cons
     set_starts(unknowns, values, run, compilation.model);
     return moved(model, file, channels, unknowns, compilation, care, is_stopped);
   } catch (const UserError& error) {
-    return {one_line(error.what()), {}, {}};
+    return {headline(error.what()), {}, {}};
   }
 }
 

@@ -1,10 +1,10 @@
-#include "workbench/fit/series.hpp"
+#include "workbench/search/series.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace mbgen::fit {
+namespace mbgen {
 namespace {
 
 /// Slope at point k by the parabola or quartic through its neighbours: of Lagrange's polynomial through all points from
@@ -56,4 +56,4 @@ SeriesPoint at(const Series& series, double abscissa) {
   return between(series, k, part);
 }
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

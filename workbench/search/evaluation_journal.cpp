@@ -1,4 +1,4 @@
-#include "workbench/fit/fit_journal.hpp"
+#include "workbench/search/evaluation_journal.hpp"
 
 #include <fmt/format.h>
 
@@ -6,14 +6,16 @@
 #include <string_view>
 
 #include "compiler/text/characters.hpp"
+#include "compiler/text/hash.hpp"
 #include "compiler/text/user_error.hpp"
+#include "workbench/host/files.hpp"
 
-namespace mbgen::fit {
+namespace mbgen {
 namespace {
 
 // Format of a journal: this line with a description appended, then one line per evaluation: hash of the rest of the
 // line, arguments, a bar, numbers.
-constexpr std::string_view kFirstLine = "mbgen fit journal 1 ", kAnyJournal = "mbgen fit journal ";
+std::string any_journal(const std::string& command) { return fmt::format("mbgen {} journal ", command); }
 
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
@@ -30,24 +32,35 @@ std::vector<double> numbers_in(std::string_view text) {
 
 }  // namespace
 
-FitJournal::FitJournal(const std::filesystem::path& path, const std::string& description, bool restart)
-    : path_(path), file_(path, "fit", restart) {
-  read(file_.kept(), description);
-  file_.begin(fmt::format("{}{}", kFirstLine, description));
+std::vector<std::string> hashes_of_files(const std::vector<std::string>& files) {
+  std::vector<std::string> list;
+  for (const std::string& file : files) {
+    Hash hash;
+    hash.add(read_text(file));
+    list.push_back(hash.text());
+  }
+  return list;
 }
 
-void FitJournal::read(const std::string& text, const std::string& description) {
+EvaluationJournal::EvaluationJournal(const std::filesystem::path& path, const std::string& command,
+                                     const std::string& description, bool restart)
+    : path_(path), file_(path, command, restart) {
+  read(file_.kept(), command, description);
+  file_.begin(any_journal(command) + "1 " + description);
+}
+
+void EvaluationJournal::read(const std::string& text, const std::string& command, const std::string& description) {
   if (text.empty()) return;
   const std::size_t end = text.find('\n');
   const std::string first = text.substr(0, end);
-  if (!first.starts_with(kAnyJournal))
-    throw UserError(fmt::format("{}: is not a journal of mbgen fit; choose another --out\n", path_.string()));
-  if (first != fmt::format("{}{}", kFirstLine, description))
+  if (!first.starts_with(any_journal(command)))
+    throw UserError(fmt::format("{}: is not a journal of mbgen {}; choose another --out\n", path_.string(), command));
+  if (first != any_journal(command) + "1 " + description)
     throw UserError(
-        fmt::format("{}: belongs to another fit: its model, data or options differ\n  hint: run with the "
+        fmt::format("{}: belongs to another run of mbgen {}: its model, data or options differ\n  hint: run with the "
                     "words of before to go on with it, with --restart to begin anew, or with another "
                     "--out\n",
-                    path_.string()));
+                    path_.string(), command));
   for (const std::string& line : split_at(std::string_view(text).substr(end + 1), '\n')) {
     const std::optional<std::string> content = content_of_line(line);
     const std::size_t bar = content ? content->find(" | ") : std::string::npos;
@@ -57,16 +70,16 @@ void FitJournal::read(const std::string& text, const std::string& description) {
   known_ = static_cast<long>(lines_.size());
 }
 
-const std::vector<double>* FitJournal::find(const std::string& arguments) const {
+const std::vector<double>* EvaluationJournal::find(const std::string& arguments) const {
   const auto found = lines_.find(arguments);
   return found == lines_.end() ? nullptr : &found->second;
 }
 
-void FitJournal::add(const std::string& arguments, const std::vector<double>& numbers) {
+void EvaluationJournal::add(const std::string& arguments, const std::vector<double>& numbers) {
   std::string content = arguments + " |";
   for (const double number : numbers) content += fmt::format(" {}", number);
   file_.append(journal_line(content));
   lines_[arguments] = numbers;
 }
 
-}  // namespace mbgen::fit
+}  // namespace mbgen

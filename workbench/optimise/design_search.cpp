@@ -1,0 +1,178 @@
+#include "workbench/optimise/design_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mbgen::optimise {
+namespace {
+
+/// Searches from where the last one ended, while the conditions of first order do not hold.
+constexpr int kMostRounds = 4;
+
+/// Rows of a constraint, below the others.
+void append(const ConstraintValues& values, Eigen::VectorXd& excess, Eigen::MatrixXd& derivatives) {
+  const Eigen::Index before = excess.size();
+  excess.conservativeResize(before + values.excess.size());
+  excess.tail(values.excess.size()) = values.excess;
+  if (values.derivatives.rows() == 0) return;
+  derivatives.conservativeResize(excess.size(), values.derivatives.cols());
+  derivatives.bottomRows(values.excess.size()) = values.derivatives;
+}
+
+int count_of(const DesignProblem& problem, bool equal) {
+  std::size_t count = 0;
+  for (const Constraint& constraint : problem.wishes.constraints)
+    if ((constraint.kind == Constraint::Kind::equal) == equal) count += problem.lengths[constraint.measure];
+  return static_cast<int>(count);
+}
+
+Programme programme_of(const DesignProblem& problem, const DesignTask& task, Designs& designs) {
+  Programme programme;
+  std::vector<double> lower, upper;
+  for (const Unknown& variable : problem.variables) {
+    lower.push_back(variable.lower);
+    upper.push_back(variable.upper);
+  }
+  programme.start = designs.scaled(task.start);
+  programme.lower = designs.scaled(lower);
+  programme.upper = designs.scaled(upper);
+  programme.inequalities = count_of(problem, false) + (task.bounded ? 1 : 0);
+  programme.equalities = count_of(problem, true);
+  programme.goes_on = [&problem] { return !problem.is_stopped || !problem.is_stopped(); };
+  programme.evaluate = [&](const Eigen::VectorXd& variables, bool with_derivatives, ProgrammePoint& point) {
+    Design design;
+    if (!designs.evaluate(designs.unscaled(variables), with_derivatives, design)) return false;
+    point = point_of(problem, task, design);
+    return true;
+  };
+  return programme;
+}
+
+/// The first broken constraint in words, "" where all are kept.
+std::string broken_words(const DesignProblem& problem, const Design& design) {
+  for (const Constraint& constraint : problem.wishes.constraints) {
+    const double excess = broken_by(constraint, excess_of(problem, constraint, design));
+    if (excess > kBrokenFrom) return fmt::format("{} is broken by {:.4g}", constraint.name, excess * constraint.scale);
+  }
+  return "";
+}
+
+std::string status_of(const DesignProblem& problem, const DesignTask& task, const SearchedDesign& found) {
+  const std::string broken = broken_words(problem, found.design);
+  if (!broken.empty()) return broken;
+  if (task.bounded && found.point.inequalities[found.point.inequalities.size() - 1] > kBrokenFrom)
+    return "the bounded goal is not reached";
+  if (found.optimality.rest <= kSmallRest) return "ok";
+  return fmt::format("not at its end: the conditions of first order are left by {:.2g}", found.optimality.rest);
+}
+
+/// Takes a design with derivatives as the one that is found.
+void take(const DesignProblem& problem, const DesignTask& task, const Programme& programme,
+          const Eigen::VectorXd& variables, Design design, SearchedDesign& found) {
+  found.design = std::move(design);
+  found.point = point_of(problem, task, found.design);
+  found.optimality = optimality_at(found.point, variables, programme.lower, programme.upper);
+  found.status = status_of(problem, task, found);
+  found.keeps_constraints = broken_words(problem, found.design).empty();
+}
+
+/// Element `index` of Halton's sequence of a base, in (0, 1). Source: J. H. Halton, Numer. Math. 2, 1960.
+double halton(int index, int base) {
+  double value = 0, part = 1;
+  for (int rest = index; rest > 0; rest /= base) {
+    part /= base;
+    value += part * (rest % base);
+  }
+  return value;
+}
+
+/// The base of a variable: a prime number.
+int base_of(std::size_t variable) {
+  int candidate = 1;
+  for (std::size_t found = 0; found <= variable;) {
+    ++candidate;
+    bool is_prime = true;
+    for (int divisor = 2; divisor * divisor <= candidate; ++divisor) is_prime = is_prime && candidate % divisor != 0;
+    found += is_prime ? 1 : 0;
+  }
+  return candidate;
+}
+
+}  // namespace
+
+ProgrammePoint point_of(const DesignProblem& problem, const DesignTask& task, const Design& design) {
+  ProgrammePoint point;
+  const Eigen::Index columns = design.derivatives.cols();
+  const bool has_derivatives = design.derivatives.rows() > 0;
+  point.of_inequalities.resize(0, columns);
+  point.of_equalities.resize(0, columns);
+  if (has_derivatives) point.gradient.setZero(columns);
+  for (std::size_t g = 0; g < problem.wishes.goals.size(); ++g) {
+    if (task.goal && *task.goal != g) continue;
+    const GoalValue value = cost_of(problem, problem.wishes.goals[g], design);
+    point.goal += value.cost;
+    if (has_derivatives) point.gradient += value.gradient;
+  }
+  for (const Constraint& constraint : problem.wishes.constraints) {
+    const ConstraintValues values = excess_of(problem, constraint, design);
+    const bool is_equal = constraint.kind == Constraint::Kind::equal;
+    append(values, is_equal ? point.equalities : point.inequalities,
+           is_equal ? point.of_equalities : point.of_inequalities);
+  }
+  if (!task.bounded) return point;
+  const GoalValue bounded = cost_of(problem, problem.wishes.goals[*task.bounded], design);
+  ConstraintValues values{Eigen::VectorXd::Constant(1, bounded.cost - task.most), Eigen::MatrixXd(0, columns)};
+  if (has_derivatives) values.derivatives = bounded.gradient.transpose();
+  append(values, point.inequalities, point.of_inequalities);
+  return point;
+}
+
+std::optional<SearchedDesign> search_design(const DesignProblem& problem, const DesignTask& task, Designs& designs) {
+  Programme programme = programme_of(problem, task, designs);
+  SearchedDesign found;
+  Design design;
+  if (!designs.evaluate(task.start, true, design)) return {};
+  take(problem, task, programme, programme.start, design, found);
+  const long before = designs.count();
+  for (int round = 0; round < kMostRounds; ++round) {
+    const int most = problem.most_evaluations - static_cast<int>(designs.count() - before);
+    if (most <= 0) break;
+    const ProgrammeEnd end = solve(programme, problem.method, most);
+    if (problem.is_stopped && problem.is_stopped()) return {};
+    found.ended = end.words;
+    if (!designs.evaluate(designs.unscaled(end.variables), true, design)) {
+      found.ended += "; there the model has no derivatives";
+      break;
+    }
+    const bool has_moved = design.values != found.design.values;
+    take(problem, task, programme, end.variables, design, found);
+    if (found.status == "ok" || !has_moved) break;
+    programme.start = end.variables;
+  }
+  return found;
+}
+
+std::vector<std::optional<SearchedDesign>> search_from_starts(const DesignProblem& problem, const DesignTask& task,
+                                                              int starts, Designs& designs) {
+  std::vector<std::optional<SearchedDesign>> list;
+  for (int s = 0; s < starts; ++s) {
+    DesignTask from = task;
+    for (std::size_t v = 0; s > 0 && v < problem.variables.size(); ++v) {
+      const Unknown& variable = problem.variables[v];
+      from.start[v] = variable.lower + halton(s, base_of(v)) * (variable.upper - variable.lower);
+    }
+    list.push_back(search_design(problem, from, designs));
+    if (problem.is_stopped && problem.is_stopped()) break;
+  }
+  return list;
+}
+
+bool is_better(const SearchedDesign& one, const SearchedDesign& other) {
+  if (one.keeps_constraints != other.keeps_constraints) return one.keeps_constraints;
+  if ((one.status == "ok") != (other.status == "ok")) return one.status == "ok";
+  return one.point.goal < other.point.goal;
+}
+
+}  // namespace mbgen::optimise

@@ -1,0 +1,36 @@
+#pragma once
+// Curves and figures of a rig at values of the free parameters, beside a table of wanted points.
+
+#include <string>
+#include <vector>
+
+#include "workbench/kc/kc.hpp"
+#include "workbench/search/free_model.hpp"
+#include "workbench/search/measured_table.hpp"
+
+namespace mbgen {
+
+/// Points of a curve: enough for a cubic between them.
+constexpr int kPointsOfCurve = 41;
+
+/// The report of an axle's rig where the model starts. Fails: UserError.
+KcReport rig_report(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
+                    const KcSettings& settings, const KcWatch& watch = {});
+
+/// The curve of this name, null without one.
+const KcTable* curve_named(const KcReport& report, const std::string& name);
+
+/// A column by its name, or of the left wheel; null without one.
+const Column* column_of(const KcTable& table, const std::string& name);
+
+/// Sets the amplitude of a curve's abscissa, where it reaches less far.
+void reach_out_to(const std::string& curve, double amplitude, KcSettings& settings);
+
+/// The curve that a table of points holds: by the name of the file, else (by_column) the first over the quantity of the
+/// table's first column. Fails: UserError.
+const KcTable& curve_of_table(const MeasuredTable& table, const KcReport& report, bool by_column);
+
+/// Abscissas of the points of a curve, in SI units. Fails: UserError with file and line.
+std::vector<double> abscissas_of(const MeasuredTable& table, const Heading& heading);
+
+}  // namespace mbgen
