@@ -152,6 +152,8 @@ std::vector<int> state_coordinates(const std::vector<std::string>& names, const 
 /// The files for CasADi, of the states that are asked for. Fails: UserError for states that determine no motion.
 std::vector<EmittedFile> casadi_files(const GenerateOptions& options, const Compilation& compilation,
                                       const InitialState& initial) {
+  if (!initial.charts.empty())
+    throw UserError("--casadi: a ball joint starts in the pole of its angles, where these are no states\n");
   if (options.states.empty()) return emit_casadi(compilation, initial);
   const std::vector<int> coordinates = state_coordinates(options.states, compilation);
   const std::optional<Compilation> chosen = with_states(compilation, initial.z, coordinates);
