@@ -221,6 +221,16 @@ void add_directional(Compilation& c) {
       directional_programs(c.model, c.topology, c.analysis, c.whole.programs));
 }
 
+std::optional<Compilation> with_states(const Compilation& c, const std::vector<double>& z,
+                                       const std::vector<int>& coordinates) {
+  std::optional<Analysis> analysis = with_independent(c.model, c.topology, c.analysis, z, coordinates);
+  if (!analysis) return {};
+  Compilation anew{c.model, c.topology, std::move(*analysis)};
+  anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.form());
+  anew.emitted = c.emitted;
+  return anew;
+}
+
 Result<LinearSystem> linearise(const Compilation& c, const OperatingPoint& point) {
   if (c.directional) return linearise(c.model, c.topology, c.analysis, *c.directional, point);
   return linearise(c.model, c.topology, c.analysis,

@@ -101,6 +101,12 @@ std::optional<Compilation> chosen_at(const Compilation& compilation, const std::
 /// Keeps the derivatives of the whole programs: for models that are linearised at many points.
 void add_directional(Compilation& compilation);
 
+/// The model with these tree coordinates among the independent ones of their loops, see with_independent of
+/// analysis/choice_at.hpp, and its `whole` programs for them; `emitted` ones stay. z: of every coordinate, loops closed.
+/// Result: none where they do not determine their loops there.
+std::optional<Compilation> with_states(const Compilation& compilation, const std::vector<double>& z,
+                                       const std::vector<int>& coordinates);
+
 /// Linearises the model, see linearisation.hpp.
 Result<LinearSystem> linearise(const Compilation& compilation, const OperatingPoint& point);
 

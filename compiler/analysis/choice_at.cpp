@@ -52,6 +52,46 @@ bool choose_large(const NumericSystem& numbers, std::size_t b, const std::vector
   return true;
 }
 
+/// Local columns of these coordinates in a block, ascending.
+std::vector<int> columns_in(const LoopBlock& block, const std::vector<int>& coordinates) {
+  std::vector<int> columns;
+  for (std::size_t c = 0; c < block.joints.size(); ++c)
+    if (std::ranges::count(coordinates, block.joints[c]) > 0) columns.push_back(static_cast<int>(c));
+  return columns;
+}
+
+std::vector<int> joined_columns(std::vector<int> columns, const std::vector<int>& others) {
+  columns.insert(columns.end(), others.begin(), others.end());
+  std::ranges::sort(columns);
+  return columns;
+}
+
+/// Gives a block the partition in which these columns are independent. Result: false where they do not determine it.
+bool hold_columns(Eigen::MatrixXd jacobian, const std::vector<int>& columns, BlockAnalysis& block) {
+  for (const int e : block.redundant_equations) jacobian.row(e).setZero();
+  BlockAnalysis held = block;
+  held.driven = joined_columns(block.driven, columns);
+  const auto is_held = [&](int column) { return std::ranges::count(columns, column) > 0; };
+  std::erase_if(held.dependent, is_held);
+  std::erase_if(held.independent, is_held);
+  if (!has_rank(jacobian, held)) return false;
+  const BlockAnalysis anew = choose_partition({jacobian}, block.rank, held.driven, {}, block.late);
+  block.dependent = anew.dependent;
+  block.independent = joined_columns(anew.independent, columns);
+  block.pivots = anew.pivots;
+  block.triangular_sizes = anew.triangular_sizes;
+  return true;
+}
+
+/// One position at which all loops are closed, with its closures.
+std::vector<Configuration> closed_at(NumericSystem& numbers, const std::vector<double>& z) {
+  std::vector<Configuration> here(1);
+  here[0].z = z;
+  here[0].closed.assign(numbers.topology().blocks.size(), true);
+  evaluate_closures(numbers, here[0]);
+  return here;
+}
+
 }  // namespace
 
 double weakest_pivot(const Model& model, const Topology& topology, const Analysis& analysis,
@@ -66,10 +106,7 @@ double weakest_pivot(const Model& model, const Topology& topology, const Analysi
 std::optional<Analysis> chosen_at(const Model& model, const Topology& topology, const Analysis& analysis,
                                   const std::vector<double>& z) {
   NumericSystem numbers(model, topology);
-  std::vector<Configuration> here(1);
-  here[0].z = z;
-  here[0].closed.assign(topology.blocks.size(), true);
-  evaluate_closures(numbers, here[0]);
+  const std::vector<Configuration> here = closed_at(numbers, z);
   Analysis result = analysis;
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     BlockAnalysis& block = result.blocks[b];
@@ -81,6 +118,19 @@ std::optional<Analysis> chosen_at(const Model& model, const Topology& topology, 
   }
   set_quasi_partitions(numbers, here, result);
   set_actuation(numbers, here, result);
+  return result;
+}
+
+std::optional<Analysis> with_independent(const Model& model, const Topology& topology, const Analysis& analysis,
+                                         const std::vector<double>& z, const std::vector<int>& coordinates) {
+  NumericSystem numbers(model, topology);
+  const std::vector<Configuration> here = closed_at(numbers, z);
+  Analysis result = analysis;
+  for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
+    const std::vector<int> columns = columns_in(topology.blocks[b], coordinates);
+    if (columns.empty()) continue;
+    if (is_large(topology.blocks[b]) || !hold_columns(here[0].blocks[b].jacobian, columns, result.blocks[b])) return {};
+  }
   return result;
 }
 

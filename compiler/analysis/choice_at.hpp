@@ -21,4 +21,11 @@ double weakest_pivot(const Model& model, const Topology& topology, const Analysi
 std::optional<Analysis> chosen_at(const Model& model, const Topology& topology, const Analysis& analysis,
                                   const std::vector<double>& z);
 
+/// The analysis with these coordinates among the independent ones of their loop blocks, others of the block with the
+/// best pivots at one position, loops closed. Everything else stays, also the partition of the recursive form.
+/// coordinates: tree coordinates in blocks, not driven. Result: none where they do not determine their loops there,
+/// with others or alone.
+std::optional<Analysis> with_independent(const Model& model, const Topology& topology, const Analysis& analysis,
+                                         const std::vector<double>& z, const std::vector<int>& coordinates);
+
 }  // namespace mbgen

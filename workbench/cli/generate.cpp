@@ -1,6 +1,7 @@
 // mbgen generate: the specialised solver, as files.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <filesystem>
@@ -29,7 +30,7 @@ namespace {
 
 struct GenerateOptions {
   std::string model, form, directory, name, depfile, dump;
-  std::vector<std::string> set, sensitivities;
+  std::vector<std::string> set, sensitivities, states;
   EmitOptions emit;
   bool c_interface = false, casadi = false, reading = false, measure = false, json = false;
   std::optional<double> budget;  ///< microseconds of a step
@@ -125,6 +126,7 @@ void require_start(const GenerateOptions& options, const Compilation& compilatio
 
 /// Fails: UserError for a model that is no explicit differential equation.
 void require_explicit(const GenerateOptions& options, const Compilation& compilation) {
+  if (!options.casadi && !options.states.empty()) throw UserError("--states: needs --casadi\n");
   if (!options.casadi) return;
   const std::string reason = no_explicit_motion(compilation.model, compilation.topology, compilation.analysis);
   if (reason.empty()) return;
@@ -133,12 +135,42 @@ void require_explicit(const GenerateOptions& options, const Compilation& compila
                   compilation.model.file, reason));
 }
 
+/// Tree coordinates of these names. Fails: UserError for a name without a coordinate, and for a driven one.
+std::vector<int> state_coordinates(const std::vector<std::string>& names, const Compilation& compilation) {
+  std::vector<int> coordinates;
+  for (const std::string& name : names) {
+    const int coordinate = find_coordinate(compilation.topology, name);
+    if (coordinate < 0)
+      throw UserError(fmt::format("--states: the model has no coordinate \"{}\"; mbgen inspect lists them\n", name));
+    if (compilation.analysis.driven[static_cast<std::size_t>(coordinate)])
+      throw UserError(fmt::format("--states: \"{}\" is driven by a motion\n", name));
+    coordinates.push_back(coordinate);
+  }
+  return coordinates;
+}
+
+/// The files for CasADi, of the states that are asked for. Fails: UserError for states that determine no motion.
+std::vector<EmittedFile> casadi_files(const GenerateOptions& options, const Compilation& compilation,
+                                      const InitialState& initial) {
+  if (!initial.charts.empty())
+    throw UserError("--casadi: a ball joint starts in the pole of its angles, where these are no states\n");
+  if (options.states.empty()) return emit_casadi(compilation, initial);
+  const std::vector<int> coordinates = state_coordinates(options.states, compilation);
+  const std::optional<Compilation> chosen = with_states(compilation, initial.z, coordinates);
+  if (!chosen)
+    throw UserError(fmt::format(
+        "--states: {} do not determine their loops at the start of the model\n"
+        "  hint: name as many coordinates of a loop as it has freedoms, none of which follows from others\n",
+        fmt::join(options.states, ", ")));
+  return emit_casadi(*chosen, initial);
+}
+
 /// The files of the solver and of what was asked for beside it; the manifest is the last one.
 std::vector<EmittedFile> emitted_files(const GenerateOptions& options, const Compilation& compilation,
                                        const EmitOptions& emitted) {
   std::vector<EmittedFile> files = emit(compilation, emitted);
   if (!options.casadi) return files;
-  std::vector<EmittedFile> more = emit_casadi(compilation, *emitted.initial);
+  std::vector<EmittedFile> more = casadi_files(options, compilation, *emitted.initial);
   files.insert(files.end() - 1, std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   return files;
 }
@@ -207,6 +239,12 @@ void add_generate(NamedCommand application, int& exit_code) {
       "--casadi", options->casadi,
       "add the motion as functions in C that CasADi finds by name (<model>_casadi.c) and a model of acados "
       "(<model>_acados.py; docs/use/casadi.md)");
+  command
+      .add_option("--states", options->states,
+                  "with --casadi: coordinates of loops that are states, separated by commas (default: the solver's "
+                  "choice)")
+      .one_value_at_a_time()
+      .separated_by(',');
   command.add_flag("--a2l", options->emit.calibration,
                    "add a calibration file, ASAP2 (<model>.a2l), the header of its symbols (<model>_a2l.h), and the "
                    "files of --c-api");
