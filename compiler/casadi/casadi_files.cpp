@@ -44,6 +44,7 @@ FrameValues function_row(const CasadiFunction& function, const std::string& tabl
           {"values_program", function.values.name},
           {"factors_program", function.factor_values.name},
           {"directions_program", function.directions.name},
+          {"sums_program", function.sums.name},
           {"colour_of", integers(colours)},
           {"first_entries", integers(function.jacobian.first)},
           {"entry_rows", integers(function.jacobian.row)}};
@@ -59,11 +60,11 @@ FrameValues work_sizes(const CasadiFunctions& functions, int coordinates) {
     factors = std::max(factors, monitors + one.factors);
     rows = std::max(rows, static_cast<int>(one.rows.size()));
     entries = std::max(entries, one.jacobian.entries());
-    work = std::max({work, one.values.work, one.factor_values.work, one.directions.work});
+    work = std::max({work, one.values.work, one.factor_values.work, one.directions.work, one.sums.work});
   }
   return {{"result_size", results},
           {"factor_size", factors},
-          {"row_size", rows},
+          {"row_size", std::max(rows, functions.arguments.columns())},
           {"entry_size", entries},
           {"cross_size", work}};
 }
@@ -87,6 +88,7 @@ std::vector<std::vector<const CFunction*>> divided(const CasadiFunctions& functi
     add(one.values);
     add(one.factor_values);
     add(one.directions);
+    add(one.sums);
   }
   return files;
 }
@@ -196,7 +198,7 @@ std::string main_text(const EmitContext& context, const CasadiFunctions& functio
   for (const CasadiFunction& one : functions.list) {
     const std::string table = "table_" + one.name;
     tables.push_back(function_row(one, table));
-    for (const CFunctions* program : {&one.values, &one.factor_values, &one.directions})
+    for (const CFunctions* program : {&one.values, &one.factor_values, &one.directions, &one.sums})
       programs.push_back(program_row(*program));
     for (const Exported& function : exported_functions(one, functions.arguments, table))
       exported.push_back(exported_row(function, patterns));

@@ -88,6 +88,10 @@ struct FunctionMaker {
     // Factors stand first: directions read them by their numbers.
     made.factor_values = functions(split.factors, std::string(letter) + "_factors", joined_slots({factors, monitors}));
     made.directions = functions(split.directions, std::string(letter) + "_directions", changes);
+    std::vector<Slot> sums;
+    for (int j = 0; j < arguments.columns(); ++j) sums.push_back({derivative_of(Array::seed), j});
+    made.sums =
+        functions(transposed(split.directions, changes, arguments.columns()), std::string(letter) + "_sums", sums);
     made.jacobian = dependence(slopes, changes, arguments.columns());
     return made;
   }

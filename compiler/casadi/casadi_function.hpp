@@ -17,7 +17,7 @@ struct CasadiFunction {
   std::vector<Slot> pivots = {}, inertias = {}, holds = {};
   int factors = 0;
   Pattern jacobian = {};
-  CFunctions values = {}, factor_values = {}, directions = {};
+  CFunctions values = {}, factor_values = {}, directions = {}, sums = {};
 };
 
 /// The arguments of both functions.

@@ -233,5 +233,28 @@ TEST(ImportMjcf, ReplicatesAreCopies) {
             std::string::npos);
 }
 
+/// Cardan's joint between shafts at an angle of beta: tan(z1) = cos(beta) tan(z2).
+TEST(ImportClosing, AUniversalConstraintIsCardansJoint) {
+  const Mechanism m = mechanism_of(
+      imported_text(
+          request_of(
+              "cardan.urdf",
+              "<robot name='cardan'><link name='world'/><link name='one'><inertial><mass value='1'/><inertia ixx='1' "
+              "iyy='1' "
+              "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link><link name='two'><inertial><mass value='1'/><inertia "
+              "ixx='1' "
+              "iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+              "<joint name='z1' type='continuous'><parent link='world'/><child link='one'/><axis xyz='1 0 0'/></joint>"
+              "<joint name='z2' type='continuous'><parent link='world'/><child link='two'/><axis xyz='0.8 0.6 "
+              "0'/></joint>"
+              "<constraint name='cross' type='universal'><parent link='one'/><parent_axis xyz='0 1 0'/>"
+              "<child link='two'/><child_axis xyz='0 0 1'/></constraint></robot>"))
+          .json);
+  const std::vector<GenericState> states = random_states(m, 5, 0.8);
+  ASSERT_EQ(states.size(), 5u);
+  for (const GenericState& state : states)
+    EXPECT_NEAR(std::tan(state.z[index_of(m, "z1")]), 0.8 * std::tan(state.z[index_of(m, "z2")]), 1e-9);
+}
+
 }  // namespace
 }  // namespace mbgen

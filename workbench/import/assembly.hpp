@@ -41,6 +41,7 @@ struct JointDraft {
   Vector3d axis = Vector3d::Zero();            ///< global at the reference; zero for joints without an axis
   bool cut = false;
   std::string comment = {};
+  Vector3d axis2 = Vector3d::Zero();  ///< of a universal joint, likewise
 };
 
 struct SpringDraft {

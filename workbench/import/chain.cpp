@@ -1,5 +1,6 @@
 #include "workbench/import/chain.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mbgen::importing {
@@ -14,6 +15,9 @@ Gap gap_between(const LoopEnds& ends) {
   const Eigen::AngleAxisd turn(between.linear());
   if (ends.type == JointType::fixed || ends.type == JointType::prismatic) {
     gap.turned = turn.angle() * turn.axis();
+  } else if (ends.type == JointType::universal) {
+    const Vector3d far = between.linear() * ends.far, across = ends.axis.cross(far);
+    if (across.norm() > 0) gap.turned = across.normalized() * std::asin(std::clamp(ends.axis.dot(far), -1.0, 1.0));
   } else if (ends.type != JointType::spherical) {
     const Vector3d axis = between.linear() * ends.axis, across = ends.axis.cross(axis);
     const double sine = across.norm();

@@ -11,7 +11,8 @@ namespace mbgen::importing {
 struct LoopEnds {
   JointType type = JointType::fixed;
   Isometry3d from = Isometry3d::Identity(), to = Isometry3d::Identity();
-  Vector3d axis{1, 0, 0};  ///< unit, in both frames
+  Vector3d axis{1, 0, 0};  ///< unit, in both frames; of a universal joint in `from` alone
+  Vector3d far{0, 1, 0};   ///< of a universal joint: its axis in `to`, at a right angle to the other one
 };
 
 /// Gap of a loop: m, then rad.

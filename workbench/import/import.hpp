@@ -20,9 +20,9 @@ struct ImportedModel {
   std::vector<std::string> files;  ///< all files read, the robot's first
 };
 
-/// Converts a robot; its root element selects the format: <robot> for URDF, <sdf> for SDF, <mujoco> for MJCF. Ensures: joints are
-/// closed at the reference configuration, the robot's at zero joint positions. Fails: with every problem found, in
-/// order of position.
+/// Converts a robot; its root element selects the format: <robot> for URDF, <sdf> for SDF, <mujoco> for MJCF. Ensures:
+/// joints are closed at the reference configuration, the robot's at zero joint positions. Fails: with every problem
+/// found, in order of position.
 Result<ImportedModel> import_robot(const ImportRequest& request);
 
 }  // namespace mbgen

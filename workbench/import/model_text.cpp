@@ -110,6 +110,7 @@ std::string joint_text(const JointDraft& joint, std::vector<BodyDraft>& bodies) 
   std::string text = fmt::format("\"type\": \"{}\", \"from\": \"{}.{}\", \"to\": \"{}.{}\"", name_of(joint.type),
                                  from.name, at_from, to.name, at_to);
   if (!joint.axis.isZero(0)) text += ", \"axis\": " + axis_text(from.pose.linear().transpose() * joint.axis);
+  if (!joint.axis2.isZero(0)) text += ", \"axis2\": " + axis_text(from.pose.linear().transpose() * joint.axis2);
   if (joint.cut) text += ", \"cut\": true";
   return fmt::format("{}    \"{}\": {{ {} }}", comment_text(joint.comment, "    "), joint.name, text);
 }

@@ -262,6 +262,11 @@ std::string gap_of(const LoopEnds& ends) {
     return fmt::format("its ends are {:.6g} m apart at the reference", gap.norm());
   }
   const double turned = Eigen::AngleAxisd(between.linear()).angle();
+  if (ends.type == JointType::universal) {
+    const double off = std::abs(gap_between(ends).turned.norm());
+    return off > kClosureTolerance ? fmt::format("its axes are {:.6g} rad off a right angle at the reference", off)
+                                   : "";
+  }
   const Vector3d axis = between.linear() * ends.axis;
   const double tilted = std::atan2(axis.cross(ends.axis).norm(), axis.dot(ends.axis));
   const bool holds_all = ends.type == JointType::fixed || ends.type == JointType::prismatic;

@@ -201,6 +201,12 @@ void read_constraint(Reading& reading, const Element& constraint, JointType type
   if (!from || !to) return;
   if (from->link == to->link) return problem(reading, constraint.spot, "<constraint> needs two different links");
   LoopEnds ends{type, from->frame, to->frame, Vector3d::UnitX()};
+  if (type == JointType::universal) {
+    if (!child(constraint, "parent_axis") || !child(constraint, "child_axis"))
+      return problem(reading, constraint.spot, "a universal <constraint> needs <parent_axis> and <child_axis>");
+    ends.axis = constraint_axis(reading, constraint, "parent_axis", ends.axis);
+    ends.far = constraint_axis(reading, constraint, "child_axis", ends.far);
+  }
   if (has_axis(type)) {
     ends.axis = constraint_axis(reading, constraint, "parent_axis", Vector3d::UnitX());
     const Vector3d far = constraint_axis(reading, constraint, "child_axis", ends.axis);
@@ -218,6 +224,10 @@ std::vector<UrdfLoop> read_extension_loops(Reading& reading, const Element& root
     if (element.name != "loop_joint" && element.name != "loop" && element.name != "constraint") continue;
     const std::optional<std::string> name = required_text(reading, element, "name");
     const std::optional<JointType> type = loop_type(text_of(element, "type"));
+    if (element.name == "constraint" && text_of(element, "type") == "universal") {
+      if (name) read_constraint(reading, element, JointType::universal, *name, robot, loops);
+      continue;
+    }
     if (!type) {
       problem(reading, element.spot, fmt::format("<{}> has no known type", element.name), kLoopTypes);
       continue;
@@ -279,7 +289,11 @@ void add_loops(Reading& reading, const std::vector<UrdfLoop>& loops, const UrdfR
                      .to = to,
                      .at = ends.to.translation(),
                      .cut = true};
-    if (has_axis(ends.type)) draft.axis = ends.from.linear() * ends.axis;
+    if (has_axis(ends.type) || ends.type == JointType::universal) draft.axis = ends.from.linear() * ends.axis;
+    if (ends.type == JointType::universal) {
+      const Vector3d far = ends.to.linear() * ends.far;
+      draft.axis2 = (far - far.dot(draft.axis) * draft.axis).normalized();
+    }
     assembly.joints.push_back(std::move(draft));
     const std::string gap = gap_of(ends);
     if (gap.empty() || !is_told(robot, loop.name)) continue;
