@@ -10,7 +10,7 @@ const std::string kForm = "optimise forms.json --free p=-3:3,q=-3:3 --json ";
 TEST_F(Optimise, ABowlCutByALineIsMetWhereTheLineTouchesIt) {
   // Nearest point of p + q = 2 to (2, 1); the goal there is (3 - s)^2 / 2 of a line p + q = s: its slope is s - 3.
   for (const char* method : {"slsqp", "mma"}) {
-    const Json result = json_of(kForm + "--goal min:start:bowl:1 --constraint 'start:sum<=2000 mm' --method " + method);
+    const Json result = json_of(kForm + "--goal min:start:bowl:1 --constraint '2000 mm>=start:sum' --method " + method);
     EXPECT_EQ(result["status"], "ok") << method;
     EXPECT_NEAR(value_of(result, "p"), 1.5, 1e-5) << method;
     EXPECT_NEAR(value_of(result, "q"), 0.5, 1e-5) << method;
@@ -43,6 +43,42 @@ TEST_F(Optimise, GoalsAreWeighedByTheirScales) {
   EXPECT_NEAR(value_of(result, "p"), 0.25, 1e-7);
   EXPECT_NEAR(value_of(result, "q"), 0, 1e-7);
   EXPECT_NEAR(result["sum"].get<double>(), 0.0625 / 2 + 0.5625 / 6, 1e-9);
+}
+
+TEST_F(Optimise, WhatIsFoundDoesNotDependOnScales) {
+  for (const char* scale : {"1e-6", "1e6"}) {
+    const Json result = json_of(kForm + "--constraint 'start:sum<=2' --goal min:start:bowl:" + scale);
+    EXPECT_EQ(result["status"], "ok") << scale;
+    EXPECT_NEAR(value_of(result, "p"), 1.5, 1e-6) << scale;
+    EXPECT_NEAR(value_of(result, "q"), 0.5, 1e-6) << scale;
+  }
+}
+
+TEST_F(Optimise, AVariableThatMovesNothingIsNamed) {
+  const Json result = json_of("optimise damped.json --free stiffness,damping --goal min:start:x --json");
+  ASSERT_GE(result["warnings"].size(), 2u);
+  EXPECT_EQ(result["warnings"][0], "stiffness: no goal and no constraint depends on it at the start");
+  EXPECT_EQ(result["warnings"][1], "damping: no goal and no constraint depends on it at the start");
+}
+
+TEST_F(Optimise, ALimitFarBelowTheStartIsNotKeptByItsDistance) {
+  // near + 0.1 <= 0.1 - 1e-4 is out of reach by 1e-4, a millionth of the start's 100.
+  write("far.json", R"({ "mbgen": 1, "name": "far_start", "include": ["forms.json"],
+    "outputs": { "lifted": { "unit": "m^2", "expression": "p*p + 0.1" } } })");
+  const Outcome run = mbgen(
+      "optimise far.json --free p=-20:10:20 --goal min:start:near --constraint "
+      "'start:lifted<=0.0999'");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("start:lifted<=0.0999 is broken by 0.0001"), std::string::npos) << run.out;
+}
+
+TEST_F(Optimise, PointsOfATradeOffThatAreNotConvergedSaySo) {
+  const Json result = json_of(kForm +
+                              "--goal near=min:start:near,far=min:start:far --trade-off near,far --points 3 "
+                              "--evaluations 2");
+  int doubted = 0;
+  for (const Json& point : result["trade_off"]["points"]) doubted += point["status"] != "ok";
+  EXPECT_GT(doubted, 0);
 }
 
 TEST_F(Optimise, ATradeOffIsThatOfTwoPoints) {

@@ -185,6 +185,10 @@ void WishReader::read_constraint(const std::string& typed) {
     }
   }
   using Kind = Constraint::Kind;
+  if (signs.size() == 1 && number_with_unit(trimmed_text(parts[0])) && !number_with_unit(trimmed_text(parts[1]))) {
+    std::swap(parts[0], parts[1]);  // 1.1<=MEASURE
+    if (signs[0] != "==") signs[0] = signs[0] == "<=" ? ">=" : "<=";
+  }
   if (signs.size() == 1) {
     add_constraint(signs[0] == "<="   ? Kind::at_most
                    : signs[0] == ">=" ? Kind::at_least
