@@ -133,6 +133,27 @@ TEST_F(Optimise, TheLeastSquareOfASwingIsAtHalfOfTheCriticalDamping) {
   EXPECT_EQ(json_of("simulate best.json --engine generic --out m.csv --json")["status"], "ok");
 }
 
+TEST_F(Optimise, AVariableThatNoSolverCanTuneIsSearchedToo) {
+  // From rest on an incline the block swings to twice its equilibrium, 2 m g sin / k: sin = 0.1 k / (m g).
+  std::string text = kDamped;
+  const auto change = [&](const std::string& old, const std::string& now) {
+    text.replace(text.find(old), old.size(), now);
+  };
+  change(R"("gravity": [0, 0, 0])", R"("gravity": [0, 0, -9.81])");
+  change(R"("parameters": {)", R"("parameters": { "tilt": 0.2,)");
+  change(R"("axis": "x")", R"("axis": [1, 0, "tilt"])");
+  write("incline.json", text);
+  const Outcome run = mbgen(
+      "optimise incline.json --set damping=0 --set start=0 --free tilt=-1:1 --goal 'min:min(x)~-0.2' --duration 2 "
+      "--json"
+      " --step 2e-3");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.err.starts_with("optimise: the model is analysed anew for each value: incline.json:")) << run.err;
+  const double sine = 0.1 * 50 / (2 * 9.81);
+  // The lowest of the points lies at most (5 * 1e-3)^2 / 4 of the swing above it.
+  EXPECT_NEAR(value_of(Json::parse(run.out), "tilt"), sine / std::sqrt(1 - sine * sine), 5e-6);
+}
+
 TEST_F(Optimise, TheDesignThatMadeAToeCurveIsFound) {
   write("axle.json", fmt::format(R"({{ "mbgen": 1, "name": "wanted_axle",
     "include": [{{ "file": "{}/models/axles/double_wishbone.json", "replace": {{ "/hardpoints/rack/2": "rack_z" }} }}],
