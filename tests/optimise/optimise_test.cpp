@@ -59,6 +59,7 @@ TEST_F(Optimise, AVariableThatMovesNothingIsNamed) {
   ASSERT_GE(result["warnings"].size(), 2u);
   EXPECT_EQ(result["warnings"][0], "stiffness: no goal and no constraint depends on it at the start");
   EXPECT_EQ(result["warnings"][1], "damping: no goal and no constraint depends on it at the start");
+  EXPECT_EQ(result["status"], "doubted, see the warnings");
 }
 
 TEST_F(Optimise, ALimitFarBelowTheStartIsNotKeptByItsDistance) {

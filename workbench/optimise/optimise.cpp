@@ -181,8 +181,9 @@ void search_all(const OptimiseArguments& arguments, const DesignProblem& problem
   const Responses after = responses_at(problem, best->design.values, false);
   if (after.failure.empty()) result.curves = found_curves(problem, before.list, after.list);
   doubt(after, result.best, result.warnings);
-  if (best->design.values == start && result.best.is_ok())
-    result.warnings.push_back("the start is stationary: another start tells whether it is the best or a saddle");
+  if (best->design.values != start || !result.best.is_ok() || best->point.goal == 0) return;
+  result.warnings.push_back("the start is stationary: another start tells whether it is the best or a saddle");
+  if (best->point.gradient.isZero(0.0)) result.best.status = "doubted, see the warnings";
 }
 
 }  // namespace
