@@ -102,8 +102,8 @@ std::optional<Compilation> chosen_at(const Compilation& compilation, const std::
 void add_directional(Compilation& compilation);
 
 /// The model with these tree coordinates among the independent ones of their loops, see with_independent of
-/// analysis/choice_at.hpp, and its `whole` programs for them; `emitted` ones stay. z: of every coordinate, loops closed.
-/// Result: none where they do not determine their loops there.
+/// analysis/choice_at.hpp, and its `whole` programs for them; `emitted` ones stay. z: of every coordinate, loops
+/// closed. Result: none where they do not determine their loops there.
 std::optional<Compilation> with_states(const Compilation& compilation, const std::vector<double>& z,
                                        const std::vector<int>& coordinates);
 

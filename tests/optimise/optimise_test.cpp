@@ -10,7 +10,7 @@ const std::string kForm = "optimise forms.json --free p=-3:3,q=-3:3 --json ";
 TEST_F(Optimise, ABowlCutByALineIsMetWhereTheLineTouchesIt) {
   // Nearest point of p + q = 2 to (2, 1); the goal there is (3 - s)^2 / 2 of a line p + q = s: its slope is s - 3.
   for (const char* method : {"slsqp", "mma"}) {
-    const Json result = json_of(kForm + "--goal min:start:bowl:1 --constraint 'start:sum<=2000 mm' --method " + method);
+    const Json result = json_of(kForm + "--goal min:start:bowl:1 --constraint '2000 mm>=start:sum' --method " + method);
     EXPECT_EQ(result["status"], "ok") << method;
     EXPECT_NEAR(value_of(result, "p"), 1.5, 1e-5) << method;
     EXPECT_NEAR(value_of(result, "q"), 0.5, 1e-5) << method;
@@ -43,6 +43,43 @@ TEST_F(Optimise, GoalsAreWeighedByTheirScales) {
   EXPECT_NEAR(value_of(result, "p"), 0.25, 1e-7);
   EXPECT_NEAR(value_of(result, "q"), 0, 1e-7);
   EXPECT_NEAR(result["sum"].get<double>(), 0.0625 / 2 + 0.5625 / 6, 1e-9);
+}
+
+TEST_F(Optimise, WhatIsFoundDoesNotDependOnScales) {
+  for (const char* scale : {"1e-6", "1e6"}) {
+    const Json result = json_of(kForm + "--constraint 'start:sum<=2' --goal min:start:bowl:" + scale);
+    EXPECT_EQ(result["status"], "ok") << scale;
+    EXPECT_NEAR(value_of(result, "p"), 1.5, 1e-6) << scale;
+    EXPECT_NEAR(value_of(result, "q"), 0.5, 1e-6) << scale;
+  }
+}
+
+TEST_F(Optimise, AVariableThatMovesNothingIsNamed) {
+  const Json result = json_of("optimise damped.json --free stiffness,damping --goal min:start:x --json");
+  ASSERT_GE(result["warnings"].size(), 2u);
+  EXPECT_EQ(result["warnings"][0], "stiffness: no goal and no constraint depends on it at the start");
+  EXPECT_EQ(result["warnings"][1], "damping: no goal and no constraint depends on it at the start");
+  EXPECT_EQ(result["status"], "doubted, see the warnings");
+}
+
+TEST_F(Optimise, ALimitFarBelowTheStartIsNotKeptByItsDistance) {
+  // near + 0.1 <= 0.1 - 1e-4 is out of reach by 1e-4, a millionth of the start's 100.
+  write("far.json", R"({ "mbgen": 1, "name": "far_start", "include": ["forms.json"],
+    "outputs": { "lifted": { "unit": "m^2", "expression": "p*p + 0.1" } } })");
+  const Outcome run = mbgen(
+      "optimise far.json --free p=-20:10:20 --goal min:start:near --constraint "
+      "'start:lifted<=0.0999'");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("start:lifted<=0.0999 is broken by 0.0001"), std::string::npos) << run.out;
+}
+
+TEST_F(Optimise, PointsOfATradeOffThatAreNotConvergedSaySo) {
+  const Json result = json_of(kForm +
+                              "--goal near=min:start:near,far=min:start:far --trade-off near,far --points 3 "
+                              "--evaluations 2");
+  int doubted = 0;
+  for (const Json& point : result["trade_off"]["points"]) doubted += point["status"] != "ok";
+  EXPECT_GT(doubted, 0);
 }
 
 TEST_F(Optimise, ATradeOffIsThatOfTwoPoints) {
@@ -95,6 +132,27 @@ TEST_F(Optimise, TheLeastSquareOfASwingIsAtHalfOfTheCriticalDamping) {
   EXPECT_EQ(again["derivatives"], "central differences");
   EXPECT_NEAR(value_of(again, "damping"), value_of(result, "damping"), 1e-5);
   EXPECT_EQ(json_of("simulate best.json --engine generic --out m.csv --json")["status"], "ok");
+}
+
+TEST_F(Optimise, AVariableThatNoSolverCanTuneIsSearchedToo) {
+  // From rest on an incline the block swings to twice its equilibrium, 2 m g sin / k: sin = 0.1 k / (m g).
+  std::string text = kDamped;
+  const auto change = [&](const std::string& old, const std::string& now) {
+    text.replace(text.find(old), old.size(), now);
+  };
+  change(R"("gravity": [0, 0, 0])", R"("gravity": [0, 0, -9.81])");
+  change(R"("parameters": {)", R"("parameters": { "tilt": 0.2,)");
+  change(R"("axis": "x")", R"("axis": [1, 0, "tilt"])");
+  write("incline.json", text);
+  const Outcome run = mbgen(
+      "optimise incline.json --set damping=0 --set start=0 --free tilt=-1:1 --goal 'min:min(x)~-0.2' --duration 2 "
+      "--json"
+      " --step 2e-3");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.err.starts_with("optimise: the model is analysed anew for each value: incline.json:")) << run.err;
+  const double sine = 0.1 * 50 / (2 * 9.81);
+  // The lowest of the points lies at most (5 * 1e-3)^2 / 4 of the swing above it.
+  EXPECT_NEAR(value_of(Json::parse(run.out), "tilt"), sine / std::sqrt(1 - sine * sine), 5e-6);
 }
 
 TEST_F(Optimise, TheDesignThatMadeAToeCurveIsFound) {

@@ -279,6 +279,8 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
                    .model_file = arguments.model.path,
                    .engine = model.choice.name,
                    .derivatives = kind_of_derivatives(problem)};
+  for (const MeasureSource& source : problem.points.sources)
+    if (source.of == MeasureSource::Of::motion) result.engine = source.study.choice.name;
   if (!model.why_differences.empty()) print_message("fit: derivatives by differences: {}\n", model.why_differences);
   Search steps(problem, loss, journal.get());
   search(method, problem, steps, arguments, signals, result);

@@ -45,7 +45,7 @@ void tell_pauses(const MeasuredTable& table, const std::vector<double>& times, s
 
 /// Columns that are inputs of the model.
 std::optional<InputTable> inputs_in(const MeasuredTable& table, const Model& model, const std::vector<double>& times) {
-  InputTable inputs{table.path, table.header(), times, table.lines, {}};
+  InputTable inputs{table.path, table.header(), times, table.lines, {}, {}};
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const int column = column_named(table, model.inputs[i].name);
     if (column < 0) continue;

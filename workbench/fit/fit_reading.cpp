@@ -61,6 +61,25 @@ void set_sizes(FitProblem& problem) {
   }
 }
 
+/// Units of figures of rigs and numbers of manoeuvres, which their first evaluation tells.
+void take_units(FitProblem& problem) {
+  std::vector<double> start;
+  for (const Unknown& unknown : problem.unknowns) start.push_back(unknown.start);
+  const MeasureSet& set = problem.points;
+  for (const MeasureSource& source : set.sources) {
+    const auto has_unit = [&](std::size_t m) {
+      return set.measures[m].of != Measure::Of::figure && set.measures[m].of != Measure::Of::manoeuvre;
+    };
+    if (std::ranges::all_of(source.measures, has_unit)) continue;
+    const SourceValues found =
+        evaluate(source, problem.model, problem.unknowns, set.measures, start, false, problem.is_stopped);
+    for (std::size_t k = 0; k < found.responses.size(); ++k)
+      for (Channel& channel : problem.channels)
+        if (channel.measure && channel.measure->name == set.measures[source.measures[k]].name)
+          channel.unit = found.responses[k].unit;
+  }
+}
+
 }  // namespace
 
 double deviation_of(const std::vector<double>& values) {
@@ -103,6 +122,7 @@ FitProblem read_problem(const FitArguments& arguments, FreeModel& model) {
   for (const MeasuredFile& file : problem.files)
     if (file.is_of_points)
       problem.points = sources_of_targets(model, file, problem.channels, problem.unknowns, arguments.manoeuvres);
+  take_units(problem);
   return problem;
 }
 

@@ -192,12 +192,16 @@ bool Designs::evaluate(const std::vector<double>& values, bool with_derivatives,
 void Designs::note(const Design& design) {
   EvaluatedDesign evaluated;
   for (const Goal& goal : problem_.wishes.goals) evaluated.goal += cost_of(problem_, goal, design).cost;
-  for (const Constraint& constraint : problem_.wishes.constraints)
-    evaluated.broken = std::max(evaluated.broken, broken_by(constraint, excess_of(problem_, constraint, design)));
+  bool keeps_all = true;
+  for (const Constraint& constraint : problem_.wishes.constraints) {
+    const ConstraintValues values = excess_of(problem_, constraint, design);
+    evaluated.broken = std::max(evaluated.broken, broken_by(constraint, values));
+    keeps_all = keeps_all && !is_broken(constraint, values);
+  }
   course_.push_back(evaluated);
   if (line_.is_due())
     line_.show(fmt::format("optimise: evaluation {}, goal {:.6g}{}", count_, evaluated.goal,
-                           evaluated.broken > kBrokenFrom ? ", constraints not kept yet" : ""));
+                           keeps_all ? "" : ", constraints not kept yet"));
 }
 
 GoalValue cost_of(const DesignProblem& problem, const Goal& goal, const Design& design) {
@@ -243,6 +247,10 @@ ConstraintValues excess_of(const DesignProblem& problem, const Constraint& const
 double broken_by(const Constraint& constraint, const ConstraintValues& values) {
   return constraint.kind == Constraint::Kind::equal ? values.excess.cwiseAbs().maxCoeff()
                                                     : std::max(0.0, values.excess.maxCoeff());
+}
+
+bool is_broken(const Constraint& constraint, const ConstraintValues& values) {
+  return broken_by(constraint, values) * constraint.scale > constraint.tolerance;
 }
 
 }  // namespace mbgen::optimise

@@ -102,10 +102,10 @@ struct ConstraintValues {
 };
 ConstraintValues excess_of(const DesignProblem& problem, const Constraint& constraint, const Design& design);
 
-/// A constraint counts as broken from here on, in parts of its scale.
-constexpr double kBrokenFrom = 1e-6;
-
 /// Largest excess of a constraint; of an equality its size.
 double broken_by(const Constraint& constraint, const ConstraintValues& values);
+
+/// Whether the excess is beyond the tolerance.
+bool is_broken(const Constraint& constraint, const ConstraintValues& values);
 
 }  // namespace mbgen::optimise

@@ -28,7 +28,15 @@ int count_of(const DesignProblem& problem, bool equal) {
   return static_cast<int>(count);
 }
 
-Programme programme_of(const DesignProblem& problem, const DesignTask& task, Designs& designs) {
+/// Size of the goal and its gradient at a point, above 0. The goal alone tells little of the gradient: a thousandth.
+double size_at(const ProgrammePoint& point) {
+  constexpr double kPartOfGoal = 1e-3;
+  const double size = std::max(point.gradient.cwiseAbs().maxCoeff(), kPartOfGoal * std::abs(point.goal));
+  return size > 0 ? size : 1;
+}
+
+/// size: by which the goal is divided.
+Programme programme_of(const DesignProblem& problem, const DesignTask& task, double size, Designs& designs) {
   Programme programme;
   std::vector<double> lower, upper;
   for (const Unknown& variable : problem.variables) {
@@ -41,10 +49,12 @@ Programme programme_of(const DesignProblem& problem, const DesignTask& task, Des
   programme.inequalities = count_of(problem, false) + (task.bounded ? 1 : 0);
   programme.equalities = count_of(problem, true);
   programme.goes_on = [&problem] { return !problem.is_stopped || !problem.is_stopped(); };
-  programme.evaluate = [&](const Eigen::VectorXd& variables, bool with_derivatives, ProgrammePoint& point) {
+  programme.evaluate = [&, size](const Eigen::VectorXd& variables, bool with_derivatives, ProgrammePoint& point) {
     Design design;
     if (!designs.evaluate(designs.unscaled(variables), with_derivatives, design)) return false;
     point = point_of(problem, task, design);
+    point.goal /= size;
+    point.gradient /= size;
     return true;
   };
   return programme;
@@ -53,8 +63,9 @@ Programme programme_of(const DesignProblem& problem, const DesignTask& task, Des
 /// The first broken constraint in words, "" where all are kept.
 std::string broken_words(const DesignProblem& problem, const Design& design) {
   for (const Constraint& constraint : problem.wishes.constraints) {
-    const double excess = broken_by(constraint, excess_of(problem, constraint, design));
-    if (excess > kBrokenFrom) return fmt::format("{} is broken by {:.4g}", constraint.name, excess * constraint.scale);
+    const ConstraintValues values = excess_of(problem, constraint, design);
+    if (is_broken(constraint, values))
+      return fmt::format("{} is broken by {:.4g}", constraint.name, broken_by(constraint, values) * constraint.scale);
   }
   return "";
 }
@@ -62,7 +73,7 @@ std::string broken_words(const DesignProblem& problem, const Design& design) {
 std::string status_of(const DesignProblem& problem, const DesignTask& task, const SearchedDesign& found) {
   const std::string broken = broken_words(problem, found.design);
   if (!broken.empty()) return broken;
-  if (task.bounded && found.point.inequalities[found.point.inequalities.size() - 1] > kBrokenFrom)
+  if (task.bounded && found.point.inequalities[found.point.inequalities.size() - 1] > kPartBroken)
     return "the bounded goal is not reached";
   if (found.optimality.rest <= kSmallRest) return "ok";
   return fmt::format("not at its end: the conditions of first order are left by {:.2g}", found.optimality.rest);
@@ -70,10 +81,11 @@ std::string status_of(const DesignProblem& problem, const DesignTask& task, cons
 
 /// Takes a design with derivatives as the one that is found.
 void take(const DesignProblem& problem, const DesignTask& task, const Programme& programme,
-          const Eigen::VectorXd& variables, Design design, SearchedDesign& found) {
+          const Eigen::VectorXd& variables, double size, Design design, SearchedDesign& found) {
   found.design = std::move(design);
   found.point = point_of(problem, task, found.design);
-  found.optimality = optimality_at(found.point, variables, programme.lower, programme.upper);
+  found.optimality =
+      optimality_at(found.point, variables, programme.lower, programme.upper, std::max(size, size_at(found.point)));
   found.status = status_of(problem, task, found);
   found.keeps_constraints = broken_words(problem, found.design).empty();
 }
@@ -123,18 +135,24 @@ ProgrammePoint point_of(const DesignProblem& problem, const DesignTask& task, co
   }
   if (!task.bounded) return point;
   const GoalValue bounded = cost_of(problem, problem.wishes.goals[*task.bounded], design);
-  ConstraintValues values{Eigen::VectorXd::Constant(1, bounded.cost - task.most), Eigen::MatrixXd(0, columns)};
-  if (has_derivatives) values.derivatives = bounded.gradient.transpose();
+  ConstraintValues values{Eigen::VectorXd::Constant(1, (bounded.cost - task.most) / task.bounded_size),
+                          Eigen::MatrixXd(0, columns)};
+  if (has_derivatives) values.derivatives = bounded.gradient.transpose() / task.bounded_size;
   append(values, point.inequalities, point.of_inequalities);
   return point;
 }
 
+double size_of(const DesignProblem& problem, std::optional<std::size_t> goal, const Design& design) {
+  return size_at(point_of(problem, {.goal = goal}, design));
+}
+
 std::optional<SearchedDesign> search_design(const DesignProblem& problem, const DesignTask& task, Designs& designs) {
-  Programme programme = programme_of(problem, task, designs);
   SearchedDesign found;
   Design design;
   if (!designs.evaluate(task.start, true, design)) return {};
-  take(problem, task, programme, programme.start, design, found);
+  const double size = task.size > 0 ? task.size : size_of(problem, task.goal, design);
+  Programme programme = programme_of(problem, task, size, designs);
+  take(problem, task, programme, programme.start, size, design, found);
   const long before = designs.count();
   for (int round = 0; round < kMostRounds; ++round) {
     const int most = problem.most_evaluations - static_cast<int>(designs.count() - before);
@@ -147,7 +165,7 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
       break;
     }
     const bool has_moved = design.values != found.design.values;
-    take(problem, task, programme, end.variables, design, found);
+    take(problem, task, programme, end.variables, size, design, found);
     if (found.status == "ok" || !has_moved) break;
     programme.start = end.variables;
   }
@@ -157,8 +175,11 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
 std::vector<std::optional<SearchedDesign>> search_from_starts(const DesignProblem& problem, const DesignTask& task,
                                                               int starts, Designs& designs) {
   std::vector<std::optional<SearchedDesign>> list;
+  Design first;
+  if (!designs.evaluate(task.start, true, first)) return list;
   for (int s = 0; s < starts; ++s) {
     DesignTask from = task;
+    from.size = size_of(problem, task.goal, first);
     for (std::size_t v = 0; s > 0 && v < problem.variables.size(); ++v) {
       const Unknown& variable = problem.variables[v];
       from.start[v] = variable.lower + halton(s, base_of(v)) * (variable.upper - variable.lower);

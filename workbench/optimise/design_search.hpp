@@ -17,6 +17,8 @@ struct DesignTask {
   std::optional<std::size_t> bounded = {};  ///< a goal that is held at most ...
   double most = 0;                          ///< ... at this cost
   std::vector<double> start = {};
+  double size = 0;          ///< of the goal and its gradient, by size_of; 0: as at the start of the task
+  double bounded_size = 1;  ///< likewise of the bounded goal
 };
 
 /// Where a search ended.
@@ -28,6 +30,9 @@ struct SearchedDesign {
   std::string status;              ///< "ok", else the reason for doubt
   bool keeps_constraints = false;  ///< all of them
 };
+
+/// Size of a goal and its gradient at a design, above 0; of the sum without a goal. Requires: design has derivatives.
+double size_of(const DesignProblem& problem, std::optional<std::size_t> goal, const Design& design);
 
 /// The programme of a task. Rows of constraints are in the order of the problem's; the bounded goal comes last.
 ProgrammePoint point_of(const DesignProblem& problem, const DesignTask& task, const Design& design);

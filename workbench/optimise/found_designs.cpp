@@ -42,8 +42,8 @@ FoundConstraint found_constraint(const DesignProblem& problem, const Constraint&
   found.start = limit_at(worst_at_start) + sign * at_start.excess[worst_at_start] * constraint.scale;
   const Eigen::VectorXd rows = multipliers.take(is_equal, values.excess.size());
   found.multiplier = 0.0 - sign * rows.sum() / constraint.scale;
-  found.is_broken = broken_by(constraint, values) > kBrokenFrom;
-  found.is_active = is_equal || values.excess[worst] > -kBrokenFrom;
+  found.is_broken = is_broken(constraint, values);
+  found.is_active = is_equal || values.excess[worst] > -kActivePart;
   return found;
 }
 

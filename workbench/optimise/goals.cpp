@@ -185,6 +185,10 @@ void WishReader::read_constraint(const std::string& typed) {
     }
   }
   using Kind = Constraint::Kind;
+  if (signs.size() == 1 && number_with_unit(trimmed_text(parts[0])) && !number_with_unit(trimmed_text(parts[1]))) {
+    std::swap(parts[0], parts[1]);  // 1.1<=MEASURE
+    if (signs[0] != "==") signs[0] = signs[0] == "<=" ? ">=" : "<=";
+  }
   if (signs.size() == 1) {
     add_constraint(signs[0] == "<="   ? Kind::at_most
                    : signs[0] == ">=" ? Kind::at_least
@@ -248,8 +252,10 @@ void set_numbers(const std::vector<Response>& start, Wishes& wishes) {
     if (goal.kind == Goal::Kind::target && goal.target.empty())
       goal.target = {in_unit_of("--goal " + goal.name, goal.target_text, wishes.measures[goal.measure], response.unit)};
     if (goal.has_scale) continue;
-    const double size =
-        goal.kind == Goal::Kind::target ? distance_of(response.values, goal.target) : std::abs(response.values.front());
+    constexpr double kSame = 1e-6;  // a start this near to its target, in parts of it, has no distance to tell
+    const double size = goal.kind == Goal::Kind::target
+                            ? std::max(distance_of(response.values, goal.target), kSame * largest_size(goal.target))
+                            : std::abs(response.values.front());
     goal.scale = size > 0 ? size : 1;
   }
   for (Constraint& constraint : wishes.constraints) {
@@ -257,8 +263,9 @@ void set_numbers(const std::vector<Response>& start, Wishes& wishes) {
     if (constraint.limit.empty())
       constraint.limit = {in_unit_of("--constraint " + constraint.name, constraint.limit_text,
                                      wishes.measures[constraint.measure], response.unit)};
-    const double size = std::max(largest_size(constraint.limit), largest_size(response.values));
+    const double of_limit = largest_size(constraint.limit), size = std::max(of_limit, largest_size(response.values));
     constraint.scale = size > 0 ? size : 1;
+    constraint.tolerance = kPartBroken * (of_limit > 0 ? of_limit : constraint.scale);
   }
 }
 

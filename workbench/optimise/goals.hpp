@@ -24,6 +24,9 @@ struct Goal {
   bool has_scale = false;           ///< it was given; else it follows from the start
 };
 
+/// A constraint is broken beyond this part of its largest limit, or of the measure at the start where the limit is 0.
+constexpr double kPartBroken = 1e-6;
+
 struct Constraint {
   enum class Kind { at_most, at_least, equal };
   Kind kind = Kind::at_most;
@@ -31,7 +34,8 @@ struct Constraint {
   std::size_t measure = 0;
   std::string limit_text = {};
   std::vector<double> limit = {};  ///< as Goal::target
-  double scale = 1;                ///< size of the measure: what counts as broken is a part of it
+  double scale = 1;                ///< size of the measure, for the search
+  double tolerance = 0;            ///< of the measure: it is broken beyond
 };
 
 /// Goals and constraints with their measures.

@@ -16,7 +16,7 @@ namespace mbgen::optimise {
 #ifdef MBGEN_NLOPT
 namespace {
 
-constexpr double kSmallStep = 1e-10, kSmallChange = 1e-13, kBroken = 1e-9;
+constexpr double kSmallStep = 1e-9, kSmallChange = 1e-16, kBroken = 1e-9;
 
 /// The functions of a programme as NLopt calls them, one after another at the same point.
 class Functions {
@@ -93,7 +93,7 @@ std::string words_of(nlopt_result result) {
     case NLOPT_FTOL_REACHED:
       return "the goal changes no more";
     case NLOPT_XTOL_REACHED:
-      return "steps are below 1e-10";
+      return "steps are below 1e-9";
     case NLOPT_ROUNDOFF_LIMITED:
       return "rounding leaves no better step";
     case NLOPT_MAXEVAL_REACHED:

@@ -37,7 +37,7 @@ struct ProgrammeEnd {
 /// Whether mbgen is built with NLopt.
 bool has_nlopt();
 
-/// Searches until steps are below 1e-10 of the variables or change the goal by less than 1e-13 of it, or `most`
+/// Searches until steps are below 1e-9 of the variables or change the goal by less than 1e-16 of it, or `most`
 /// evaluations. Points without a result are refused: the step is shortened. Requires: has_nlopt(); the start lies
 /// between the bounds and evaluates; MMA has no equalities. Fails: with the exceptions of evaluate.
 ProgrammeEnd solve(const Programme& programme, Method method, int most);

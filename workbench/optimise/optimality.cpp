@@ -8,7 +8,7 @@
 namespace mbgen::optimise {
 namespace {
 
-constexpr double kActiveConstraint = 1e-6, kActiveBound = 1e-8, kPivots = 1e-12;
+constexpr double kPivots = 1e-12;
 
 /// A column of the combination: the gradient of a bound or constraint, and the place of its multiplier.
 struct ActiveColumn {
@@ -25,10 +25,10 @@ std::vector<ActiveColumn> active_columns(const ProgrammePoint& point, const Eige
   for (Eigen::Index e = 0; e < point.equalities.size(); ++e)
     columns.push_back({point.of_equalities.row(e).transpose(), &result.equalities[e], 1, true});
   for (Eigen::Index k = 0; k < point.inequalities.size(); ++k)
-    if (point.inequalities[k] > -kActiveConstraint)
+    if (point.inequalities[k] > -kActivePart)
       columns.push_back({point.of_inequalities.row(k).transpose(), &result.inequalities[k]});
   for (Eigen::Index v = 0; v < variables.size(); ++v) {
-    const double near = kActiveBound * (upper[v] - lower[v]);
+    const double near = kActivePart * (upper[v] - lower[v]);
     const int side = variables[v] <= lower[v] + near ? -1 : variables[v] >= upper[v] - near ? 1 : 0;
     result.at_bound[static_cast<std::size_t>(v)] = side;
     if (side == 0) continue;
@@ -105,7 +105,7 @@ Eigen::VectorXd signed_combination(const std::vector<ActiveColumn>& columns, con
 }  // namespace
 
 Optimality optimality_at(const ProgrammePoint& point, const Eigen::VectorXd& variables, const Eigen::VectorXd& lower,
-                         const Eigen::VectorXd& upper) {
+                         const Eigen::VectorXd& upper, double size) {
   Optimality result;
   result.inequalities.setZero(point.inequalities.size());
   result.equalities.setZero(point.equalities.size());
@@ -117,7 +117,7 @@ Optimality optimality_at(const ProgrammePoint& point, const Eigen::VectorXd& var
   for (std::size_t c = 0; c < columns.size(); ++c)
     *columns[c].multiplier = columns[c].sign * multipliers[static_cast<Eigen::Index>(c)];
   const Eigen::VectorXd rest = rest_of(columns, multipliers, wanted);
-  result.rest = rest.cwiseAbs().maxCoeff() / (1 + point.gradient.cwiseAbs().maxCoeff());
+  result.rest = rest.cwiseAbs().maxCoeff() / size;
   return result;
 }
 

@@ -14,15 +14,20 @@ struct Optimality {
   Eigen::VectorXd inequalities, equalities;  ///< multipliers, zero of inactive ones; of inequalities >= 0
   Eigen::VectorXd bounds;                    ///< of an upper bound above 0, of a lower one below 0
   std::vector<int> at_bound;                 ///< -1 lower, 1 upper, 0 none, per variable
-  double rest = 0;  ///< largest element of the gradient that no combination explains, over 1 + the gradient's largest
+  double rest = 0;  ///< largest element of the gradient that no combination explains, over the size of goals
 };
 
-/// A rest below this is a design that the conditions of first order hold at.
-constexpr double kSmallRest = 1e-5;
+/// The conditions of first order hold up to this rest: the goal is then about its square, 1e-8 of the goal's size, above
+/// the best nearby. SLSQP can end there where constraints are curved (the Maratos effect).
+constexpr double kSmallRest = 1e-4;
+
+/// A constraint or bound this near to its limit, in parts of its scale or range, is active.
+constexpr double kActivePart = 1e-6;
 
 /// Multipliers by least squares with signs (C. L. Lawson, R. J. Hanson, Solving Least Squares Problems, 1974, ch. 23),
-/// of constraints that are no further than 1e-6 from their limits. Requires: the point has derivatives.
+/// of active constraints and bounds. size: of the goal and its
+/// gradient in the search, so that the rest does not depend on scales. Requires: the point has derivatives; size > 0.
 Optimality optimality_at(const ProgrammePoint& point, const Eigen::VectorXd& variables, const Eigen::VectorXd& lower,
-                         const Eigen::VectorXd& upper);
+                         const Eigen::VectorXd& upper, double size);
 
 }  // namespace mbgen::optimise

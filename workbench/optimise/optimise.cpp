@@ -135,6 +135,20 @@ void read_problem(const OptimiseArguments& arguments, FreeModel& model, DesignPr
     if (source.of == MeasureSource::Of::motion) model.choice = source.study.choice;
 }
 
+/// A design whose motions are doubted is not ok.
+void doubt(const Responses& at, FoundDesign& design, std::vector<std::string>& warnings) {
+  for (const std::string& warning : at.warnings) warnings.push_back("at the result: " + warning);
+  if (!at.warnings.empty() && design.is_ok()) design.status = "doubted, see the warnings";
+}
+
+/// Variables that no goal and no constraint depends on.
+void warn_of_idle(const DesignProblem& problem, const Design& start, std::vector<std::string>& warnings) {
+  for (std::size_t v = 0; v < problem.variables.size(); ++v)
+    if (start.derivatives.col(static_cast<Eigen::Index>(v)).isZero(0.0))
+      warnings.push_back(
+          fmt::format("{}: no goal and no constraint depends on it at the start", problem.variables[v].name));
+}
+
 /// Searches, and takes what was found into the result.
 void search_all(const OptimiseArguments& arguments, const DesignProblem& problem, const std::vector<double>& start,
                 const Responses& before, Designs& designs, OptimiseResult& result) {
@@ -143,12 +157,15 @@ void search_all(const OptimiseArguments& arguments, const DesignProblem& problem
     if (problem.is_stopped()) return;
     throw UserError(fmt::format("optimise: no derivatives at the start values: {}\n", designs.refused().back().reason));
   }
+  warn_of_idle(problem, first, result.warnings);
   if (!arguments.trade_off.empty()) {
     const auto [one, other] = goals_of_trade_off(arguments.trade_off, problem.wishes);
     result.first = problem.wishes.goals[one].name;
     result.second = problem.wishes.goals[other].name;
-    for (const SearchedDesign& found : trade_off(problem, one, other, arguments.points, start, designs))
+    for (const SearchedDesign& found : trade_off(problem, one, other, arguments.points, start, designs)) {
       result.trade_off.push_back(found_design(problem, first, found, before.list));
+      doubt(responses_at(problem, found.design.values, false), result.trade_off.back(), result.warnings);
+    }
     return;
   }
   const std::vector<std::optional<SearchedDesign>> found =
@@ -163,7 +180,10 @@ void search_all(const OptimiseArguments& arguments, const DesignProblem& problem
   result.best = found_design(problem, first, *best, before.list);
   const Responses after = responses_at(problem, best->design.values, false);
   if (after.failure.empty()) result.curves = found_curves(problem, before.list, after.list);
-  for (const std::string& warning : after.warnings) result.warnings.push_back("at the result: " + warning);
+  doubt(after, result.best, result.warnings);
+  if (best->design.values != start || !result.best.is_ok() || best->point.goal == 0) return;
+  result.warnings.push_back("the start is stationary: another start tells whether it is the best or a saddle");
+  if (best->point.gradient.isZero(0.0)) result.best.status = "doubted, see the warnings";
 }
 
 }  // namespace

@@ -116,6 +116,12 @@ std::string refused_lines(const OptimiseResult& result) {
   return text;
 }
 
+std::string warning_lines(const OptimiseResult& result) {
+  std::string text;
+  for (const std::string& warning : result.warnings) text += fmt::format("  warning: {}\n", warning);
+  return text;
+}
+
 std::string head_line(const OptimiseResult& result, std::size_t variables) {
   return fmt::format("{}: {}, method {}, engine {}, {} ({} with derivatives), derivatives: {}\n", result.model,
                      count_text(static_cast<long>(variables), "variable"), result.method, result.engine,
@@ -129,15 +135,14 @@ std::string optimise_text(const OptimiseResult& result) {
     if (result.trade_off.empty()) return fmt::format("{}: no point of the trade-off\n", result.model);
     std::string text = head_line(result, result.trade_off.front().variables.size());
     text += fmt::format("  trade-off of {} and {}\n", result.first, result.second) + trade_off_rows(result);
-    return text + refused_lines(result);
+    return text + refused_lines(result) + warning_lines(result);
   }
   const FoundDesign& best = result.best;
   std::string text = head_line(result, best.variables.size());
   text += fmt::format("  {}: {}", best.status, best.ended);
   text += best.is_ok() ? fmt::format("; conditions of first order within {:.2g}\n", best.rest) : "\n";
   text += variable_rows(best) + goal_rows(best) + constraint_rows(best) + start_lines(result) + refused_lines(result);
-  for (const std::string& warning : result.warnings) text += fmt::format("  warning: {}\n", warning);
-  return text;
+  return text + warning_lines(result);
 }
 
 std::string optimised_model(const OptimiseResult& result, const std::string& path) {

@@ -34,10 +34,14 @@ void mark_beaten(const DesignProblem& problem, std::size_t one, std::size_t othe
 std::vector<SearchedDesign> trade_off(const DesignProblem& problem, std::size_t one, std::size_t other, int points,
                                       const std::vector<double>& start, Designs& designs) {
   std::vector<SearchedDesign> list;
-  const std::optional<SearchedDesign> first = search_design(problem, {.goal = one, .start = start}, designs);
+  Design at_start;
+  if (!designs.evaluate(start, true, at_start)) return list;
+  const double size = size_of(problem, one, at_start), other_size = size_of(problem, other, at_start);
+  const auto first = search_design(problem, {.goal = one, .start = start, .size = size}, designs);
   if (!first) return list;
-  std::optional<SearchedDesign> last = search_design(problem, {.goal = other, .start = start}, designs);
-  const auto from_first = search_design(problem, {.goal = other, .start = first->design.values}, designs);
+  auto last = search_design(problem, {.goal = other, .start = start, .size = other_size}, designs);
+  const auto from_first =
+      search_design(problem, {.goal = other, .start = first->design.values, .size = other_size}, designs);
   if (!last || (from_first && is_better(*from_first, *last))) last = from_first;
   list.push_back(*first);
   if (!last) return list;
@@ -47,7 +51,9 @@ std::vector<SearchedDesign> trade_off(const DesignProblem& problem, std::size_t 
     const DesignTask task{.goal = one,
                           .bounded = other,
                           .most = between(problem.wishes.goals[other], most, least, part),
-                          .start = list.back().design.values};
+                          .start = list.back().design.values,
+                          .size = size,
+                          .bounded_size = other_size};
     std::optional<SearchedDesign> found = search_design(problem, task, designs);
     if (problem.is_stopped && problem.is_stopped()) return list;
     if (found) list.push_back(std::move(*found));
