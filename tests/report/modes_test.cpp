@@ -49,7 +49,7 @@ Vibration vibration_of(Model model, double first = 0, bool at_equilibrium = fals
   const GenericSolver solver = v.solver();
   EXPECT_TRUE((at_equilibrium ? solver.equilibrium(state) : solver.project(state)).ok());
   v.point = {state.z, state.zd, state.x, 0, v.point.inputs};
-  v.modes = modes(*linearise(c.model, c.topology, c.analysis, c.whole.programs, v.point));
+  v.modes = modes(*linearise(c, v.point));
   return v;
 }
 
