@@ -194,8 +194,9 @@ TEST(ImportClosing, BallsAndFreeBodiesMoveToo) {
   EXPECT_EQ(random_states(m, 2).size(), 2u);
 }
 
-/// A parallelogram with a crank of 0.2 m and a coupler of 0.5 m, its last pin moved in the plane and across it.
-ImportRequest parallelogram(double angle, double along, double across) {
+/// A parallelogram with a crank of 0.2 m and a coupler of 0.5 m, its last pin moved in the rocker, aside of it, across
+/// the plane and along the rocker, m.
+ImportRequest parallelogram(double angle, double aside, double across, double along = 0) {
   const auto link = [](const char* name, const char* com) {
     return fmt::format(
         "<link name='{}'><inertial><origin xyz='{}'/><mass value='1'/><inertia ixx='0.01' iyy='0.01' "
@@ -214,8 +215,8 @@ ImportRequest parallelogram(double angle, double along, double across) {
                         pin("b", "crank", "coupler", "0 0 0.2", -angle) +
                         pin("d", "world", "rocker", "0.5 0 0", angle) +
                         fmt::format("<loop_joint name='c' type='revolute'><link1 link='coupler' xyz='0.5 0 0'/>"
-                                    "<link2 link='rocker' xyz='{} {} 0.2'/><axis xyz='0 1 0'/></loop_joint></robot>",
-                                    along, across));
+                                    "<link2 link='rocker' xyz='{} {} {}'/><axis xyz='0 1 0'/></loop_joint></robot>",
+                                    aside, across, 0.2 + along));
 }
 
 /// Where a link points that points up or along x as written, rad.
@@ -250,6 +251,17 @@ TEST(ImportClosing, AGapIsClosedByMovesOfItsSize) {
     const Mechanism m = mechanism_of(robot.json);
     for (const char* link : {"crank", "coupler", "rocker"})
       EXPECT_LT(std::abs(turn_of(m.model, link)), 2 * 3e-4 / 0.2) << link;
+  }
+}
+
+/// At the dead centre a gap d along the arms of 0.2 and 0.5 m is closed by turns near (d/l)^(1/2).
+TEST(ImportClosing, AtADeadCentreMovesAreThoseOfTheGap) {
+  for (const double along : {-1e-3, 1e-3}) {
+    const ImportedModel robot = imported_text(parallelogram(std::numbers::pi / 2, 0, 1e-4, along));
+    EXPECT_TRUE(has_note(robot, "; 0.0001 m that no joint closes")) << to_text(robot.notes);
+    const Model model = mechanism_of(robot.json).model;
+    for (const char* link : {"crank", "rocker"})
+      EXPECT_LT(std::abs(turn_of(model, link) - std::numbers::pi / 2), 4 * std::sqrt(1e-3 / 0.2)) << link;
   }
 }
 

@@ -212,9 +212,10 @@ void close_group(Closing& closing, const Loops& loops) {
   const bool is_left = closing.are_closed(loops, kLeft, kLeftTurned);
   closing.set(start);
   const double each = close_each(closing, loops, columns);
-  const bool is_unexplained =
-      is_left && (!closing.are_closed(loops, kOpen, kOpen) || is_too_far(nearest, std::sqrt(together)));
-  if (is_unexplained || each >= (1 - kSame) * together) closing.set(nearest);
+  // Far places must close most of a gap that the points can take up.
+  const double least_gain = is_left ? 0.75 : kSame;
+  const bool is_unexplained = is_left && is_too_far(nearest, std::sqrt(together));
+  if (is_unexplained || each >= (1 - least_gain) * together) closing.set(nearest);
 }
 
 }  // namespace
