@@ -194,6 +194,77 @@ TEST(ImportClosing, BallsAndFreeBodiesMoveToo) {
   EXPECT_EQ(random_states(m, 2).size(), 2u);
 }
 
+/// A parallelogram with a crank of 0.2 m and a coupler of 0.5 m, its last pin moved in the rocker, aside of it, across
+/// the plane and along the rocker, m.
+ImportRequest parallelogram(double angle, double aside, double across, double along = 0) {
+  const auto link = [](const char* name, const char* com) {
+    return fmt::format(
+        "<link name='{}'><inertial><origin xyz='{}'/><mass value='1'/><inertia ixx='0.01' iyy='0.01' "
+        "izz='0.01' ixy='0' ixz='0' iyz='0'/></inertial></link>",
+        name, com);
+  };
+  const auto pin = [](const char* name, const char* from, const char* to, const char* at, double turn) {
+    return fmt::format(
+        "<joint name='{}' type='continuous'><origin xyz='{}' rpy='0 {} 0'/><parent link='{}'/>"
+        "<child link='{}'/><axis xyz='0 1 0'/></joint>",
+        name, at, turn, from, to);
+  };
+  return request_of("parallelogram.urdf",
+                    "<robot name='p'><link name='world'/>" + link("crank", "0 0 0.1") + link("coupler", "0.25 0 0") +
+                        link("rocker", "0 0 0.1") + pin("a", "world", "crank", "0 0 0", angle) +
+                        pin("b", "crank", "coupler", "0 0 0.2", -angle) +
+                        pin("d", "world", "rocker", "0.5 0 0", angle) +
+                        fmt::format("<loop_joint name='c' type='revolute'><link1 link='coupler' xyz='0.5 0 0'/>"
+                                    "<link2 link='rocker' xyz='{} {} {}'/><axis xyz='0 1 0'/></loop_joint></robot>",
+                                    aside, across, 0.2 + along));
+}
+
+/// Where a link points that points up or along x as written, rad.
+double turn_of(const Model& model, const char* name) {
+  for (const Body& body : model.bodies)
+    if (body.name == name) return std::atan2(body.pose.rotation[2], body.pose.rotation[0]);
+  throw std::runtime_error("no such body");
+}
+
+/// A gap across the plane moves no joint: the points of the loop take it up. Upright, slanted and at the dead centre.
+TEST(ImportClosing, AGapThatNoJointClosesMovesNone) {
+  for (const double angle : {0.0, 0.7, std::numbers::pi / 2}) {
+    for (const double across : {1e-5, 1e-4, 1e-3}) {
+      const ImportedModel robot = imported_text(parallelogram(angle, 0, across));
+      EXPECT_TRUE(has_note(robot, fmt::format("loops are open by up to {0:.3g} m as written; {0:.3g} m that no joint "
+                                              "closes are taken up by the points",
+                                              across)))
+          << to_text(robot.notes);
+      const Mechanism m = mechanism_of(robot.json);
+      EXPECT_EQ(m.analysis.degrees_of_freedom, 1);
+      EXPECT_NEAR(turn_of(m.model, "crank"), angle, 1e-9);
+      EXPECT_NEAR(turn_of(m.model, "rocker"), angle, 1e-9);
+    }
+  }
+}
+
+/// A rocker that is 0.3 mm off along the coupler, and across it: the pins close the first part by turns of its size.
+TEST(ImportClosing, AGapIsClosedByMovesOfItsSize) {
+  for (const double across : {0.0, 1e-4}) {
+    const ImportedModel robot = imported_text(parallelogram(0, 3e-4, across));
+    EXPECT_TRUE(has_note(robot, "joints are moved to close them, \"a\" by ")) << to_text(robot.notes);
+    const Mechanism m = mechanism_of(robot.json);
+    for (const char* link : {"crank", "coupler", "rocker"})
+      EXPECT_LT(std::abs(turn_of(m.model, link)), 2 * 3e-4 / 0.2) << link;
+  }
+}
+
+/// At the dead centre a gap d along the arms of 0.2 and 0.5 m is closed by turns near (d/l)^(1/2).
+TEST(ImportClosing, AtADeadCentreMovesAreThoseOfTheGap) {
+  for (const double along : {-1e-3, 1e-3}) {
+    const ImportedModel robot = imported_text(parallelogram(std::numbers::pi / 2, 0, 1e-4, along));
+    EXPECT_TRUE(has_note(robot, "; 0.0001 m that no joint closes")) << to_text(robot.notes);
+    const Model model = mechanism_of(robot.json).model;
+    for (const char* link : {"crank", "rocker"})
+      EXPECT_LT(std::abs(turn_of(model, link) - std::numbers::pi / 2), 4 * std::sqrt(1e-3 / 0.2)) << link;
+  }
+}
+
 /// As the copies written out; what refers to them is copied with them.
 TEST(ImportMjcf, ReplicatesAreCopies) {
   const auto read = [](const std::string& world, const std::string& rest) {

@@ -324,6 +324,23 @@ TEST(Import, RefusesBadRobotsWithExactMessages) {
   EXPECT_GE(cases, 25);
 }
 
+/// A loop is open because an element is misspelt: the notes name it.
+TEST(Import, NotesStandBesideAFailure) {
+  const std::string link =
+      "<link name='{0}'/><joint name='{0}' type='continuous'><origin xyz='{1}'/><parent link='world'/>"
+      "<child link='{0}'/><axis xyz='0 1 0'/></joint>";
+  const std::string robot = "<robot name='r'><link name='world'/>" + fmt::format(fmt::runtime(link), "one", "0 0 0") +
+                            fmt::format(fmt::runtime(link), "two", "3 0 0") +
+                            "<constraint name='c' type='revolute'><parent link='one'/><parent_orign xyz='3 0 1'/>"
+                            "<parent_axis xyz='0 1 0'/><child link='two'/><child_origin xyz='0 0 1'/></constraint>"
+                            "</robot>";
+  Diagnostics notes;
+  const Result<ImportedModel> model = import_robot(request_of("r.urdf", robot), &notes);
+  ASSERT_FALSE(model);
+  EXPECT_NE(to_text(notes).find("<parent_orign> not carried over: it is unknown in <constraint>"), std::string::npos);
+  EXPECT_NE(to_text(notes).find("parent_origin"), std::string::npos) << to_text(notes);
+}
+
 TEST(Import, HostileXmlIsRefused) {
   std::string deep;
   for (int i = 0; i < 1'000'000; ++i) deep += "<a>";

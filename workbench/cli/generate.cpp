@@ -135,7 +135,8 @@ void require_explicit(const GenerateOptions& options, const Compilation& compila
                   compilation.model.file, reason));
 }
 
-/// Tree coordinates of these names. Fails: UserError for a name without a coordinate, and for a driven one.
+/// Tree coordinates of these names. Fails: UserError for a name without a coordinate, a driven one, and one named
+/// twice.
 std::vector<int> state_coordinates(const std::vector<std::string>& names, const Compilation& compilation) {
   std::vector<int> coordinates;
   for (const std::string& name : names) {
@@ -144,6 +145,8 @@ std::vector<int> state_coordinates(const std::vector<std::string>& names, const 
       throw UserError(fmt::format("--states: the model has no coordinate \"{}\"; mbgen inspect lists them\n", name));
     if (compilation.analysis.driven[static_cast<std::size_t>(coordinate)])
       throw UserError(fmt::format("--states: \"{}\" is driven by a motion\n", name));
+    if (std::ranges::count(coordinates, coordinate) > 0)
+      throw UserError(fmt::format("--states: \"{}\" is named twice\n", name));
     coordinates.push_back(coordinate);
   }
   return coordinates;

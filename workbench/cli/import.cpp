@@ -58,7 +58,10 @@ nlohmann::ordered_json import_json(const ImportOptions& options, const ImportedM
 int run(const ImportOptions& options) {
   if (options.json && (options.file.empty() || is_standard_output(options.file)))
     throw UserError("--json: the report takes standard output, give the model a file with --out\n");
-  const ImportedModel model = expect(import_robot(import_request(options)));
+  Diagnostics notes_of_failure;
+  Result<ImportedModel> imported = import_robot(import_request(options), &notes_of_failure);
+  print_notes(notes_of_failure);
+  const ImportedModel model = expect(std::move(imported));
   const std::string file = options.file.empty() ? model.name + ".json" : options.file;
   // The text must be a valid model; otherwise the translation is at fault.
   if (const Result<Model> read = read_model(model.json, file); !read) {

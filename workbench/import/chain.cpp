@@ -17,7 +17,9 @@ Gap gap_between(const LoopEnds& ends) {
     gap.turned = turn.angle() * turn.axis();
   } else if (ends.type == JointType::universal) {
     const Vector3d far = between.linear() * ends.far, across = ends.axis.cross(far);
-    if (across.norm() > 0) gap.turned = across.normalized() * std::asin(std::clamp(ends.axis.dot(far), -1.0, 1.0));
+    // Parallel axes are a right angle off, about any direction across.
+    gap.turned = (across.norm() > 0 ? across.normalized() : ends.axis.unitOrthogonal()) *
+                 std::asin(std::clamp(ends.axis.dot(far), -1.0, 1.0));
   } else if (ends.type != JointType::spherical) {
     const Vector3d axis = between.linear() * ends.axis, across = ends.axis.cross(axis);
     const double sine = across.norm();

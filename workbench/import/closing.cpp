@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "workbench/import/closing_search.hpp"
 
@@ -129,6 +130,20 @@ std::string moves_text(const std::vector<ChainJoint>& before, const std::vector<
 /// Gap without rounding errors.
 double without_rounding(double gap) { return gap < kOpen * 1e-3 ? 0 : gap; }
 
+/// Largest gaps, m and rad.
+std::pair<double, double> widest_of(const std::vector<Gap>& gaps) {
+  std::pair<double, double> widest;
+  for (const Gap& gap : gaps)
+    widest = {std::max(widest.first, gap.apart.norm()), std::max(widest.second, gap.turned.norm())};
+  return widest;
+}
+
+/// Gaps for a message: only the length, if nothing is turned.
+std::string gap_text(double apart, double turned) {
+  if (turned <= kOpen) return fmt::format("{:.3g} m", apart);
+  return fmt::format("{:.3g} m and {:.3g} rad", without_rounding(apart), turned);
+}
+
 /// Records the gaps that remain open, by loop.
 void report_open(const Closing& closing, Closed& closed) {
   const std::vector<Gap> gaps = closing.gaps();
@@ -159,12 +174,12 @@ Closed close_chain(Chain& chain) {
   closing.size = size_of(chain.poses);
   choose_movable(closing);
   if (closing.movable.empty() && are_led(closing)) return closed;
-  for (const Gap& gap : written) closed.widest = std::max(closed.widest, gap.apart.norm());
+  std::tie(closed.widest, closed.widest_turned) = widest_of(written);
   if (!search(closing)) {
     report_open(closing, closed);
     return closed;
   }
-  for (const Gap& gap : closing.gaps()) closed.remaining = std::max(closed.remaining, gap.apart.norm());
+  std::tie(closed.remaining, closed.remaining_turned) = widest_of(closing.gaps());
   closed.has_moved = true;
   closed.moves = moves_text(chain.joints, closing.joints);
   for (std::size_t i = 0; i < chain.joints.size(); ++i) chain.joints[i].position = closing.joints[i].position;
@@ -173,11 +188,12 @@ Closed close_chain(Chain& chain) {
 }
 
 void note_moves(Reading& reading, Spot spot, const Closed& closed, const std::string& hint) {
-  std::string text = fmt::format("loops are open by up to {:.3g} m as written: joints are moved to close them{}",
-                                 closed.widest, closed.moves);
-  if (closed.remaining > kOpen)
-    text += fmt::format("; {:.3g} m that no joint closes are taken up by the points of the loops", closed.remaining);
-  note(reading, spot, text, hint);
+  std::string text = "loops are open by up to " + gap_text(closed.widest, closed.widest_turned) + " as written";
+  if (!closed.moves.empty()) text += ": joints are moved to close them" + closed.moves;
+  if (closed.remaining > kOpen || closed.remaining_turned > kOpen)
+    text += fmt::format("; {} that no joint closes are taken up by the points of the loops",
+                        gap_text(closed.remaining, closed.remaining_turned));
+  note(reading, spot, text, closed.moves.empty() ? "" : hint);
 }
 
 }  // namespace mbgen::importing

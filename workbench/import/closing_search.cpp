@@ -1,4 +1,4 @@
-// Closing of loops: Gauss-Newton steps within the joints' limits.
+// Closing of loops: damped Gauss-Newton steps within the joints' limits, no larger than the gaps explain.
 #include "workbench/import/closing_search.hpp"
 
 #include <cmath>
@@ -12,6 +12,7 @@ namespace mbgen::importing {
 namespace {
 
 constexpr double kLeft = 2e-3, kLeftTurned = 5e-3;  // m and rad, accepted remaining gap
+constexpr double kSame = 1e-4;                      // relative; a sum of squares is lower if it is lower by this
 
 using Loops = Closing::Loops;
 using Columns = std::vector<std::size_t>;  ///< indices into Closing::movable
@@ -52,6 +53,24 @@ VectorXd bounded_step(const Closing& closing, const Columns& columns, const Matr
   return step;
 }
 
+/// Largest move of a joint that a gap explains, rad or size of the linkage: at a dead centre of arms of length l a gap
+/// d takes a turn of (d/l)^(1/2).
+double explained_move(const Closing& closing, double gap) {
+  constexpr double kShortestArm = 0.01;  // of the size
+  return std::sqrt(gap / (kShortestArm * closing.size));
+}
+
+/// Largest move of a joint from these positions, rad or size of the linkage.
+double largest_move(const Closing& closing, const VectorXd& from) {
+  const VectorXd moved = (closing.positions() - from).cwiseAbs();
+  double largest = 0;
+  for (Eigen::Index k = 0; k < moved.size(); ++k) {
+    const ChainJoint& joint = closing.joint(closing.movable[static_cast<std::size_t>(k)]);
+    largest = std::max(largest, joint.type == JointType::revolute ? moved[k] : moved[k] / closing.size);
+  }
+  return largest;
+}
+
 /// Minimises the gaps of loops over these joints from the present positions by damped Gauss-Newton steps. Result: the
 /// remaining sum of squares.
 double close_some(Closing& closing, const Loops& loops, const Columns& columns) {
@@ -68,7 +87,8 @@ double close_some(Closing& closing, const Loops& loops, const Columns& columns) 
     for (int attempt = 0; attempt < 12; ++attempt) {
       const VectorXd step = bounded_step(closing, columns, slopes, at, before, damping);
       const double largest = step.size() > 0 ? step.cwiseAbs().maxCoeff() : 0;
-      const double share = largest > kLargest ? kLargest / largest : 1;
+      const double limit = std::min(kLargest, explained_move(closing, std::sqrt(cost)));
+      const double share = largest > limit ? limit / largest : 1;
       VectorXd next = before;
       for (std::size_t k = 0; k < columns.size(); ++k)
         next[static_cast<Eigen::Index>(columns[k])] += share * step[static_cast<Eigen::Index>(k)];
@@ -110,7 +130,7 @@ Columns own_joints(const Closing& closing, const Loops& loops) {
 }
 
 /// Closes loops from the present positions, then from random positions of `spread` joints, near ones first; keeps the
-/// best. Result: whether they close.
+/// best, of equal ones the first. Result: whether they close.
 bool close_from_many(Closing& closing, const Loops& loops, const Columns& columns, const Columns& spread, int tries) {
   const VectorXd start = closing.positions();
   VectorXd nearest = start;
@@ -129,7 +149,7 @@ bool close_from_many(Closing& closing, const Loops& loops, const Columns& column
     closing.set(guess);
     const double cost = close_some(closing, loops, columns);
     if (closing.are_closed(loops, kOpen, kOpen)) return true;
-    if (best >= 0 && cost >= best) continue;
+    if (best >= 0 && cost >= (1 - kSame) * best) continue;
     best = cost;
     nearest = closing.positions();
   }
@@ -165,20 +185,37 @@ std::vector<Loops> groups_of(const Closing& closing) {
   return list;
 }
 
-/// Closes all loops of a group together; if that fails, one after the other.
-void close_group(Closing& closing, const Loops& loops) {
-  const Columns columns = joints_of(closing, loops);
-  const VectorXd start = closing.positions();
-  const double together = close_some(closing, loops, columns);
-  if (closing.are_closed(loops, kOpen, kOpen)) return;
-  const VectorXd nearest = closing.positions();
-  closing.set(start);
+/// Closes loops one after the other from the present positions.
+double close_each(Closing& closing, const Loops& loops, const Columns& columns) {
   Loops some;
   for (const std::size_t loop : loops) {
     some.push_back(loop);
     close_next(closing, some);
   }
-  if (close_some(closing, loops, columns) > together) closing.set(nearest);
+  return close_some(closing, loops, columns);
+}
+
+/// Closes all loops of a group together; if that fails, one after the other. A gap that the points of the loops can
+/// take up moves the joints no further than it explains.
+void close_group(Closing& closing, const Loops& loops) {
+  const Columns columns = joints_of(closing, loops);
+  const VectorXd start = closing.positions();
+  const double open = closing.residual(loops).norm();
+  const bool is_small = closing.are_closed(loops, kLeft, kLeftTurned);
+  const auto is_too_far = [&](const VectorXd& from, double gap) {
+    return largest_move(closing, from) > explained_move(closing, gap);
+  };
+  const double together = close_some(closing, loops, columns);
+  if (is_small && is_too_far(start, open)) return closing.set(start);
+  if (closing.are_closed(loops, kOpen, kOpen)) return;
+  const VectorXd nearest = closing.positions();
+  const bool is_left = closing.are_closed(loops, kLeft, kLeftTurned);
+  closing.set(start);
+  const double each = close_each(closing, loops, columns);
+  // Far places must close most of a gap that the points can take up.
+  const double least_gain = is_left ? 0.75 : kSame;
+  const bool is_unexplained = is_left && is_too_far(nearest, std::sqrt(together));
+  if (is_unexplained || each >= (1 - least_gain) * together) closing.set(nearest);
 }
 
 }  // namespace

@@ -61,13 +61,15 @@ void translate(Reading& reading, const Element& root, Assembly& assembly) {
 
 }  // namespace
 
-Result<ImportedModel> import_robot(const ImportRequest& request) {
+Result<ImportedModel> import_robot(const ImportRequest& request, Diagnostics* notes_of_failure) {
   Reading reading{.request = request, .sources = {}, .problems = {}, .notes = {}};
   const std::optional<Element> root = importing::read_xml(reading);
   Assembly assembly;
   if (root) translate(reading, *root, assembly);
+  sort_by_place(reading, reading.notes);
   if (!reading.problems.empty()) {
     sort_by_place(reading, reading.problems);
+    if (notes_of_failure) *notes_of_failure = std::move(reading.notes);
     return reading.problems;
   }
   ImportedModel model;
@@ -80,7 +82,6 @@ Result<ImportedModel> import_robot(const ImportRequest& request) {
   model.joints = static_cast<int>(assembly.joints.size());
   model.loops = static_cast<int>(std::count_if(assembly.joints.begin(), assembly.joints.end(),
                                                [](const importing::JointDraft& joint) { return joint.cut; }));
-  sort_by_place(reading, reading.notes);
   model.notes = std::move(reading.notes);
   for (const importing::Source& source : reading.sources) model.files.push_back(source.file);
   return model;

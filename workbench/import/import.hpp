@@ -22,7 +22,7 @@ struct ImportedModel {
 
 /// Converts a robot; its root element selects the format: <robot> for URDF, <sdf> for SDF, <mujoco> for MJCF. Ensures:
 /// joints are closed at the reference configuration, the robot's at zero joint positions. Fails: with every problem
-/// found, in order of position.
-Result<ImportedModel> import_robot(const ImportRequest& request);
+/// found, in order of position; `notes_of_failure` then has the notes so far, since a lost element may be the cause.
+Result<ImportedModel> import_robot(const ImportRequest& request, Diagnostics* notes_of_failure = nullptr);
 
 }  // namespace mbgen

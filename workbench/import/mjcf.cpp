@@ -37,13 +37,13 @@ void note_losses(Mjcf& mjcf, const Element& root) {
          fmt::format("without the mass of meshes {} {} massless", few_names(mjcf.massless),
                      mjcf.massless.size() == 1 ? "is" : "are"),
          "give each an <inertial>, as MuJoCo writes it when it saves a model");
-  note_left_out(mjcf.reading, root, kMjcf);
 }
 
 }  // namespace
 
 void import_mjcf(Reading& reading, const Element& written, Assembly& assembly) {
   Mjcf mjcf{reading, assembly};
+  note_left_out(reading, written, kMjcf);
   Element root = written;
   read_settings(mjcf, root);
   expand_replicates(mjcf, root);

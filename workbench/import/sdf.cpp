@@ -118,6 +118,7 @@ void import_sdf(Reading& reading, const Element& root, Assembly& assembly) {
   if (reading.request.loops)
     return problem(reading, root.spot, "an SDF model takes no file of loops",
                    "its joints may form loops: write the joint into the model");
+  note_left_out(reading, root, kSdf);
   std::optional<SdfModel> model = read_sdf(reading, root, assembly);
   if (!model || !reading.problems.empty()) return;
   assembly.name = text_of(*model->element, "name");
@@ -132,7 +133,6 @@ void import_sdf(Reading& reading, const Element& root, Assembly& assembly) {
          fmt::format("friction of {} joint{} is smoothed below {} rad/s or m/s", assembly.frictions.size(),
                      assembly.frictions.size() == 1 ? "" : "s", kFrictionVelocity));
   }
-  note_left_out(reading, root, kSdf);
 }
 
 }  // namespace mbgen::importing

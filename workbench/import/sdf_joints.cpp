@@ -121,12 +121,12 @@ struct JointReader {
 
   /// Ratio of a slide over its turn, m/rad.
   double lead_of(const Element& joint) {
-    if (child(joint, "screw_thread_pitch"))
-      return inner_number(reading, joint, "screw_thread_pitch", 1) / (2 * std::numbers::pi);
+    const double way = inner_number(reading, joint, "screw_thread_pitch", 0);
+    if (way != 0) return way / (2 * std::numbers::pi);
     const double pitch = inner_number(reading, joint, "thread_pitch", 0);
     if (pitch != 0) return -1 / pitch;  // rad/m, positive to the left
     problem(reading, joint.spot, fmt::format("screw {} has no pitch", quoted_text(text_of(joint, "name"))),
-            "<screw_thread_pitch> is its way per revolution, m");
+            "<screw_thread_pitch> is its way per revolution, m, and not zero");
     return 0;
   }
 
@@ -217,8 +217,11 @@ struct JointReader {
                        quoted_text(name), quoted_text(reference)));
       return;
     }
-    couple(name, {{second->first, second->second},
-                  {inner_number(reading, joint, "gearbox_ratio", 1) * first->first, first->second}});
+    const double ratio = inner_number(reading, joint, "gearbox_ratio", 1);
+    if (ratio == 0)
+      return problem(reading, joint.spot, fmt::format("gearbox {} has a ratio of zero", quoted_text(name)),
+                     "the child turns by -<gearbox_ratio> times the angle of the parent");
+    couple(name, {{second->first, second->second}, {ratio * first->first, first->second}});
   }
 
   /// position = multiplier (leader - reference) + offset

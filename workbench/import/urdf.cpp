@@ -64,6 +64,7 @@ void note_limits(Reading& reading, const Element& root) {
 
 void import_urdf(Reading& reading, const Element& root, Assembly& assembly) {
   if (refuse_xacro(reading, root) || refuse_drake(reading, root)) return;
+  note_left_out(reading, root, kUrdf);
   UrdfRobot robot = read_robot(reading, root);
   const std::vector<UrdfLoop> sidecar = read_sidecar(reading, robot);
   if (!reading.problems.empty()) return;
@@ -82,7 +83,6 @@ void import_urdf(Reading& reading, const Element& root, Assembly& assembly) {
                      assembly.frictions.size() == 1 ? "" : "s", kFrictionVelocity));
   }
   note_limits(reading, root);
-  note_left_out(reading, root, kUrdf);
 }
 
 }  // namespace mbgen::importing

@@ -181,6 +181,11 @@ std::optional<ExtensionEnd> constraint_end(Reading& reading, const Element& cons
     problem(reading, attribute(*end, "link")->spot, "no link is named " + quoted_text(*name));
     return std::nullopt;
   }
+  for (const Element& inner : end->children) {
+    if (inner.name != role + "_origin" && inner.name != role + "_axis") continue;
+    problem(reading, inner.spot, fmt::format("<{}> stands in <{}>: it is not read there", inner.name, role),
+            fmt::format("write it beside <{}>, in <constraint>", role));
+  }
   const Element* origin = child(constraint, role + "_origin");
   return ExtensionEnd{found->second, origin ? read_origin(reading, *origin) : Isometry3d::Identity()};
 }

@@ -71,7 +71,7 @@ pugi::xml_node parse(Loader& loader, pugi::xml_document& document, int file) {
     const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
     loader.fail({file, std::min(offset, text.size())},
                 fmt::format("not well-formed XML: {}", std::string(result.description())),
-                "a robot is described in a file of URDF (<robot>) or MJCF (<mujoco>)");
+                "a robot is described in a file of URDF (<robot>), SDF (<sdf>) or MJCF (<mujoco>)");
     return {};
   }
   return document.document_element();

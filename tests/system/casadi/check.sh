@@ -44,6 +44,8 @@ refuses() {
 }
 refuses --casadi --states crank_pin,rocker_pin
 grep -q -- '--states: crank_pin, rocker_pin do not determine their loops at the start of the model' message
+refuses --casadi --states crank_pin,crank_pin
+grep -q -- '--states: "crank_pin" is named twice' message
 refuses --casadi --states crank
 grep -q -- '--states: the model has no coordinate "crank"' message
 if "$mbgen" generate "$here/pole.json" --casadi --out none >/dev/null 2>message; then echo "a pole was not refused"; exit 1; fi
