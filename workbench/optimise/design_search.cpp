@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/optimise/probes.hpp"
+
 namespace mbgen::optimise {
 namespace {
 
@@ -19,6 +21,11 @@ void append(const ConstraintValues& values, Eigen::VectorXd& excess, Eigen::Matr
   if (values.derivatives.rows() == 0) return;
   derivatives.conservativeResize(excess.size(), values.derivatives.cols());
   derivatives.bottomRows(values.excess.size()) = values.derivatives;
+}
+
+void append_same(double value, Eigen::Index count, Eigen::VectorXd& list) {
+  list.conservativeResize(list.size() + count);
+  list.tail(count).setConstant(value);
 }
 
 int count_of(const DesignProblem& problem, bool equal) {
@@ -132,8 +139,10 @@ ProgrammePoint point_of(const DesignProblem& problem, const DesignTask& task, co
     const bool is_equal = constraint.kind == Constraint::Kind::equal;
     append(values, is_equal ? point.equalities : point.inequalities,
            is_equal ? point.of_equalities : point.of_inequalities);
+    if (!is_equal) append_same(near_part(constraint), values.excess.size(), point.near);
   }
   if (!task.bounded) return point;
+  append_same(kActivePart, 1, point.near);
   const GoalValue bounded = cost_of(problem, problem.wishes.goals[*task.bounded], design);
   ConstraintValues values{Eigen::VectorXd::Constant(1, (bounded.cost - task.most) / task.bounded_size),
                           Eigen::MatrixXd(0, columns)};
@@ -153,9 +162,11 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
   const double size = task.size > 0 ? task.size : size_of(problem, task.goal, design);
   Programme programme = programme_of(problem, task, size, designs);
   take(problem, task, programme, programme.start, size, design, found);
-  const long before = designs.count();
+  double divisor = size;
+  long spent = designs.count();  // probes are beyond the number of evaluations
+  std::optional<BetterPoint> better;
   for (int round = 0; round < kMostRounds; ++round) {
-    const int most = problem.most_evaluations - static_cast<int>(designs.count() - before);
+    const int most = problem.most_evaluations - static_cast<int>(designs.count() - spent);
     if (most <= 0) break;
     const ProgrammeEnd end = solve(programme, problem.method, most);
     if (problem.is_stopped && problem.is_stopped()) return {};
@@ -166,9 +177,20 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
     }
     const bool has_moved = design.values != found.design.values;
     take(problem, task, programme, end.variables, size, design, found);
-    if (found.status == "ok" || !has_moved) break;
     programme.start = end.variables;
+    if (found.status != "ok" && has_moved) continue;
+    if (!found.keeps_constraints) break;
+    const long before = designs.count();
+    better = better_beside(programme, end.variables, found.optimality, divisor, found.design.values == task.start);
+    spent += designs.count() - before;
+    if (problem.is_stopped && problem.is_stopped()) return {};
+    if (!better || !designs.evaluate(designs.unscaled(better->variables), true, design)) break;
+    divisor = size_at(point_of(problem, task, design));
+    programme = programme_of(problem, task, divisor, designs);
+    programme.start = better->variables;
   }
+  if (better && found.status == "ok")
+    found.status = fmt::format("not at its end: a step beside it the goal is lower by {:.2g}", better->gain);
   return found;
 }
 

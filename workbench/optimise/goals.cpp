@@ -236,6 +236,18 @@ double distance_of(const std::vector<double>& values, const std::vector<double>&
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
+/// Fails: UserError where a lower limit of a measure lies above an upper one.
+void refuse_empty(const Wishes& wishes) {
+  const auto name_of = [&](const Constraint& one) { return wishes.measures[one.measure].name; };
+  for (const Constraint& low : wishes.constraints)
+    for (const Constraint& high : wishes.constraints) {
+      const bool is_pair = low.kind != Constraint::Kind::at_most && high.kind != Constraint::Kind::at_least;
+      if (!is_pair || name_of(low) != name_of(high) || low.limit.size() != 1 || high.limit.size() != 1) continue;
+      if (low.limit[0] <= high.limit[0] + low.tolerance + high.tolerance) continue;
+      throw UserError(fmt::format("--constraint: {} and {} leave no value\n", low.name, high.name));
+    }
+}
+
 }  // namespace
 
 Wishes read_wishes(const FreeModel& model, const std::vector<std::string>& goals,
@@ -267,6 +279,7 @@ void set_numbers(const std::vector<Response>& start, Wishes& wishes) {
     constraint.scale = size > 0 ? size : 1;
     constraint.tolerance = kPartBroken * (of_limit > 0 ? of_limit : constraint.scale);
   }
+  refuse_empty(wishes);
 }
 
 }  // namespace mbgen::optimise
