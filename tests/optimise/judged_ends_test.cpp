@@ -54,5 +54,13 @@ TEST_F(OptimiseEnds, AStationaryStartThatIsNoLeastIsLeft) {
   EXPECT_EQ(found("--free p=0:2:3 --set q=1 --goal min:start:bowl")["status"], "doubted, see the warnings");
 }
 
+TEST_F(OptimiseEnds, EqualitiesMayRepeatEachOther) {
+  const Json result =
+      found("--free p=-2:0.5:2,q=-2:0.1:2 --goal min:start:bowl:1 --constraint start:sum==1,start:sum==1");
+  EXPECT_EQ(result["status"], "ok");
+  EXPECT_NEAR(value_of(result, "p"), 1, 1e-6);
+  EXPECT_NEAR(value_of(result, "q"), 0, 1e-6);
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "compiler/algebra/dense.hpp"
 #include "workbench/optimise/probes.hpp"
 
 namespace mbgen::optimise {
@@ -42,8 +44,32 @@ double size_at(const ProgrammePoint& point) {
   return size > 0 ? size : 1;
 }
 
-/// size: by which the goal is divided.
-Programme programme_of(const DesignProblem& problem, const DesignTask& task, double size, Designs& designs) {
+/// Rows of equalities that repeat no others at a point; all where one has no gradient.
+std::vector<int> independent_rows(const ProgrammePoint& point) {
+  constexpr double kSame = 1e-9;
+  const Eigen::MatrixXd& rows = point.of_equalities;
+  std::vector<int> list(static_cast<std::size_t>(rows.rows()));
+  std::iota(list.begin(), list.end(), 0);
+  if (list.empty() || rows.rowwise().norm().minCoeff() == 0) return list;
+  list = leading_columns(rows.rowwise().normalized().transpose(), kSame);
+  std::ranges::sort(list);
+  return list;
+}
+
+void keep_equalities(const std::vector<int>& kept, ProgrammePoint& point) {
+  Eigen::Index row = 0;
+  for (const int from : kept) {
+    point.equalities[row] = point.equalities[from];
+    if (point.of_equalities.rows() > 0) point.of_equalities.row(row) = point.of_equalities.row(from);
+    ++row;
+  }
+  point.equalities.conservativeResize(row);
+  if (point.of_equalities.rows() > 0) point.of_equalities.conservativeResize(row, Eigen::NoChange);
+}
+
+/// size: by which the goal is divided; equalities: the rows that are told.
+Programme programme_of(const DesignProblem& problem, const DesignTask& task, double size,
+                       const std::vector<int>& equalities, Designs& designs) {
   Programme programme;
   std::vector<double> lower, upper;
   for (const Unknown& variable : problem.variables) {
@@ -54,14 +80,16 @@ Programme programme_of(const DesignProblem& problem, const DesignTask& task, dou
   programme.lower = designs.scaled(lower);
   programme.upper = designs.scaled(upper);
   programme.inequalities = count_of(problem, false) + (task.bounded ? 1 : 0);
-  programme.equalities = count_of(problem, true);
+  programme.equalities = static_cast<int>(equalities.size());
   programme.goes_on = [&problem] { return !problem.is_stopped || !problem.is_stopped(); };
-  programme.evaluate = [&, size](const Eigen::VectorXd& variables, bool with_derivatives, ProgrammePoint& point) {
+  programme.evaluate = [&, size, equalities](const Eigen::VectorXd& variables, bool with_derivatives,
+                                             ProgrammePoint& point) {
     Design design;
     if (!designs.evaluate(designs.unscaled(variables), with_derivatives, design)) return false;
     point = point_of(problem, task, design);
     point.goal /= size;
     point.gradient /= size;
+    keep_equalities(equalities, point);
     return true;
   };
   return programme;
@@ -160,7 +188,11 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
   Design design;
   if (!designs.evaluate(task.start, true, design)) return {};
   const double size = task.size > 0 ? task.size : size_of(problem, task.goal, design);
-  Programme programme = programme_of(problem, task, size, designs);
+  std::vector<int> all(static_cast<std::size_t>(count_of(problem, true)));
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> told = all;
+  Programme programme = programme_of(problem, task, size, told, designs);
+  Method method = problem.method;
   take(problem, task, programme, programme.start, size, design, found);
   double divisor = size;
   long spent = designs.count();  // probes are beyond the number of evaluations
@@ -168,9 +200,9 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
   for (int round = 0; round < kMostRounds; ++round) {
     const int most = problem.most_evaluations - static_cast<int>(designs.count() - spent);
     if (most <= 0) break;
-    const ProgrammeEnd end = solve(programme, problem.method, most);
+    const ProgrammeEnd end = solve(programme, method, most);
     if (problem.is_stopped && problem.is_stopped()) return {};
-    found.ended = end.words;
+    found.ended = (method != problem.method ? "cobyla, as slsqp found no step: " : "") + end.words;
     if (!designs.evaluate(designs.unscaled(end.variables), true, design)) {
       found.ended += "; there the model has no derivatives";
       break;
@@ -179,14 +211,23 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
     take(problem, task, programme, end.variables, size, design, found);
     programme.start = end.variables;
     if (found.status != "ok" && has_moved) continue;
-    if (!found.keeps_constraints) break;
+    if (!found.keeps_constraints) {
+      const std::vector<int> independent = independent_rows(found.point);
+      if (independent == told && method != Method::slsqp) break;
+      if (independent == told) method = Method::cobyla;
+      told = independent;
+      programme = programme_of(problem, task, divisor, told, designs);
+      programme.start = end.variables;
+      continue;
+    }
     const long before = designs.count();
-    better = better_beside(programme, end.variables, found.optimality, divisor, found.design.values == task.start);
+    better = better_beside(programme_of(problem, task, divisor, all, designs), end.variables, found.optimality, divisor,
+                           found.design.values == task.start);
     spent += designs.count() - before;
     if (problem.is_stopped && problem.is_stopped()) return {};
     if (!better || !designs.evaluate(designs.unscaled(better->variables), true, design)) break;
     divisor = size_at(point_of(problem, task, design));
-    programme = programme_of(problem, task, divisor, designs);
+    programme = programme_of(problem, task, divisor, told, designs);
     programme.start = better->variables;
   }
   if (better && found.status == "ok")

@@ -35,6 +35,16 @@ std::optional<std::pair<double, std::string>> number_with_unit(const std::string
   return std::pair{value, rest};
 }
 
+/// Fails: UserError for a text that is neither number nor table.
+[[noreturn]] void refuse_limit(const std::string& what, const std::string& text) {
+  const std::size_t end = text.find_first_not_of("+-.0123456789");
+  if (end != std::string::npos && end > 0 && number_with_unit(text.substr(0, end)))
+    throw UserError(fmt::format("{}: unknown unit {}: write a number in the unit of the measure\n", what,
+                                in_quotes(trimmed_text(text.substr(end)))));
+  throw UserError(fmt::format("{}: must be a number, with a unit where needed, or a table (CSV), found {}\n", what,
+                              in_quotes(text)));
+}
+
 /// Whether a text is meant as a table.
 bool is_table(const std::string& text) { return text.ends_with(".csv") || text.ends_with(".mat"); }
 
@@ -103,8 +113,7 @@ std::size_t WishReader::add_measure(const std::string& option, const std::string
     points = read_points(what, wanted, model_, measure);
     wishes_.files.push_back(wanted);
   } else if (!wanted.empty() && !number_with_unit(wanted)) {
-    throw UserError(fmt::format("{}: must be a number, with a unit where needed, or a table (CSV), found {}\n", what,
-                                in_quotes(wanted)));
+    refuse_limit(what, wanted);
   }
   wishes_.measures.push_back(std::move(measure));
   return wishes_.measures.size() - 1;
