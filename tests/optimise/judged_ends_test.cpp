@@ -60,6 +60,11 @@ TEST_F(OptimiseEnds, EqualitiesMayRepeatEachOther) {
   EXPECT_EQ(result["status"], "ok");
   EXPECT_NEAR(value_of(result, "p"), 1, 1e-6);
   EXPECT_NEAR(value_of(result, "q"), 0, 1e-6);
+  const Json more = found(
+      "--free p=-2:0.5:2,q=-2:0.1:2 --goal min:start:near --constraint "
+      "start:p==1,start:p==1,start:sum==2,start:near==2");
+  EXPECT_EQ(more["status"], "ok");
+  EXPECT_NEAR(value_of(more, "q"), 1, 1e-6);
 }
 
 }  // namespace

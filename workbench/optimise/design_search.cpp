@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "compiler/algebra/dense.hpp"
 #include "workbench/optimise/probes.hpp"
 
 namespace mbgen::optimise {
@@ -44,16 +43,24 @@ double size_at(const ProgrammePoint& point) {
   return size > 0 ? size : 1;
 }
 
-/// Rows of equalities that repeat no others at a point; all where one has no gradient.
+/// Rows of equalities that repeat none before them at a point; all where none has a gradient.
 std::vector<int> independent_rows(const ProgrammePoint& point) {
-  constexpr double kSame = 1e-9;
+  constexpr double kSame = 1e-6;  // above the errors of differences
   const Eigen::MatrixXd& rows = point.of_equalities;
-  std::vector<int> list(static_cast<std::size_t>(rows.rows()));
-  std::iota(list.begin(), list.end(), 0);
-  if (list.empty() || rows.rowwise().norm().minCoeff() == 0) return list;
-  list = leading_columns(rows.rowwise().normalized().transpose(), kSame);
-  std::ranges::sort(list);
-  return list;
+  std::vector<int> all(static_cast<std::size_t>(rows.rows())), list;
+  std::iota(all.begin(), all.end(), 0);
+  Eigen::MatrixXd basis(rows.cols(), 0);
+  for (const int k : all) {
+    Eigen::VectorXd row = rows.row(k).transpose();
+    if (row.norm() == 0) continue;
+    row.normalize();
+    row -= basis * (basis.transpose() * row).eval();
+    if (row.norm() <= kSame) continue;
+    list.push_back(k);
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.rightCols(1) = row.normalized();
+  }
+  return list.empty() ? all : list;
 }
 
 void keep_equalities(const std::vector<int>& kept, ProgrammePoint& point) {
@@ -210,11 +217,12 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
     const bool has_moved = design.values != found.design.values;
     take(problem, task, programme, end.variables, size, design, found);
     programme.start = end.variables;
-    if (found.status != "ok" && has_moved) continue;
+    if (found.status != "ok" && has_moved && found.keeps_constraints) continue;
     if (!found.keeps_constraints) {
       const std::vector<int> independent = independent_rows(found.point);
-      if (independent == told && method != Method::slsqp) break;
-      if (independent == told) method = Method::cobyla;
+      const bool is_stuck = independent == told && !has_moved;
+      if (is_stuck && method != Method::slsqp) break;
+      if (is_stuck) method = Method::cobyla;
       told = independent;
       programme = programme_of(problem, task, divisor, told, designs);
       programme.start = end.variables;
