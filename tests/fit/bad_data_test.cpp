@@ -92,7 +92,7 @@ TEST_F(RefusedData, OptionsHaveTheirMessages) {
        "  hint: did you mean \"z.slide\"?\n"},
       {"--match x --free mass --target mode:0:frequency=1:1",
        "--target \"mode:0:frequency\": modes are numbered from 1, found 0\n"},
-      {"--match x --free mass --target y=1:1", "metric:1:1: unknown name \"y\"\n"},
+      {"--match x --free mass --target y=1:1", "--target \"y\":1:1: unknown name \"y\"\n"},
       {"--free mass --target mode:2:frequency=1:1 --match x",
        "fit: no result at the start values: --target: mode:2:frequency: the model has 1 oscillations\n"},
       {"--match x --free mass -o run.csv", "run.csv: cannot write: it is read by this command\n"},

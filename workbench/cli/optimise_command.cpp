@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "compiler/text/user_error.hpp"
@@ -34,6 +35,9 @@ void check_files(const OptimiseOptions& options) {
   read.insert(read.end(), search.manoeuvres.begin(), search.manoeuvres.end());
   if (!options.out.empty()) require_other_file(options.out, read);
   if (!options.page.empty()) require_other_file(options.page, read);
+  const auto place = [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal(); };
+  if (!options.out.empty() && !options.page.empty() && place(options.out) == place(options.page))
+    throw UserError(fmt::format("{}: --out and --report must be two files\n", options.out));
   if (options.out.empty() || !search.trade_off.empty()) return;
   std::vector<std::string> names;
   for (const std::vector<std::string>* texts : {&search.free, &search.model.set})

@@ -249,6 +249,10 @@ double broken_by(const Constraint& constraint, const ConstraintValues& values) {
                                                     : std::max(0.0, values.excess.maxCoeff());
 }
 
+double near_part(const Constraint& constraint) {
+  return std::min(kPartBroken, constraint.tolerance / constraint.scale);
+}
+
 bool is_broken(const Constraint& constraint, const ConstraintValues& values) {
   return broken_by(constraint, values) * constraint.scale > constraint.tolerance;
 }

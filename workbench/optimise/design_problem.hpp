@@ -105,6 +105,9 @@ ConstraintValues excess_of(const DesignProblem& problem, const Constraint& const
 /// Largest excess of a constraint; of an equality its size.
 double broken_by(const Constraint& constraint, const ConstraintValues& values);
 
+/// Distance to its limit, in parts of its scale, within which a constraint is active.
+double near_part(const Constraint& constraint);
+
 /// Whether the excess is beyond the tolerance.
 bool is_broken(const Constraint& constraint, const ConstraintValues& values);
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "workbench/optimise/probes.hpp"
 
 namespace mbgen::optimise {
 namespace {
@@ -21,6 +24,11 @@ void append(const ConstraintValues& values, Eigen::VectorXd& excess, Eigen::Matr
   derivatives.bottomRows(values.excess.size()) = values.derivatives;
 }
 
+void append_same(double value, Eigen::Index count, Eigen::VectorXd& list) {
+  list.conservativeResize(list.size() + count);
+  list.tail(count).setConstant(value);
+}
+
 int count_of(const DesignProblem& problem, bool equal) {
   std::size_t count = 0;
   for (const Constraint& constraint : problem.wishes.constraints)
@@ -35,8 +43,40 @@ double size_at(const ProgrammePoint& point) {
   return size > 0 ? size : 1;
 }
 
-/// size: by which the goal is divided.
-Programme programme_of(const DesignProblem& problem, const DesignTask& task, double size, Designs& designs) {
+/// Rows of equalities that repeat none before them at a point; all where none has a gradient.
+std::vector<int> independent_rows(const ProgrammePoint& point) {
+  constexpr double kSame = 1e-6;  // above the errors of differences
+  const Eigen::MatrixXd& rows = point.of_equalities;
+  std::vector<int> all(static_cast<std::size_t>(rows.rows())), list;
+  std::iota(all.begin(), all.end(), 0);
+  Eigen::MatrixXd basis(rows.cols(), 0);
+  for (const int k : all) {
+    Eigen::VectorXd row = rows.row(k).transpose();
+    if (row.norm() == 0) continue;
+    row.normalize();
+    row -= basis * (basis.transpose() * row).eval();
+    if (row.norm() <= kSame) continue;
+    list.push_back(k);
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.rightCols(1) = row.normalized();
+  }
+  return list.empty() ? all : list;
+}
+
+void keep_equalities(const std::vector<int>& kept, ProgrammePoint& point) {
+  Eigen::Index row = 0;
+  for (const int from : kept) {
+    point.equalities[row] = point.equalities[from];
+    if (point.of_equalities.rows() > 0) point.of_equalities.row(row) = point.of_equalities.row(from);
+    ++row;
+  }
+  point.equalities.conservativeResize(row);
+  if (point.of_equalities.rows() > 0) point.of_equalities.conservativeResize(row, Eigen::NoChange);
+}
+
+/// size: by which the goal is divided; equalities: the rows that are told.
+Programme programme_of(const DesignProblem& problem, const DesignTask& task, double size,
+                       const std::vector<int>& equalities, Designs& designs) {
   Programme programme;
   std::vector<double> lower, upper;
   for (const Unknown& variable : problem.variables) {
@@ -47,14 +87,16 @@ Programme programme_of(const DesignProblem& problem, const DesignTask& task, dou
   programme.lower = designs.scaled(lower);
   programme.upper = designs.scaled(upper);
   programme.inequalities = count_of(problem, false) + (task.bounded ? 1 : 0);
-  programme.equalities = count_of(problem, true);
+  programme.equalities = static_cast<int>(equalities.size());
   programme.goes_on = [&problem] { return !problem.is_stopped || !problem.is_stopped(); };
-  programme.evaluate = [&, size](const Eigen::VectorXd& variables, bool with_derivatives, ProgrammePoint& point) {
+  programme.evaluate = [&, size, equalities](const Eigen::VectorXd& variables, bool with_derivatives,
+                                             ProgrammePoint& point) {
     Design design;
     if (!designs.evaluate(designs.unscaled(variables), with_derivatives, design)) return false;
     point = point_of(problem, task, design);
     point.goal /= size;
     point.gradient /= size;
+    keep_equalities(equalities, point);
     return true;
   };
   return programme;
@@ -132,8 +174,10 @@ ProgrammePoint point_of(const DesignProblem& problem, const DesignTask& task, co
     const bool is_equal = constraint.kind == Constraint::Kind::equal;
     append(values, is_equal ? point.equalities : point.inequalities,
            is_equal ? point.of_equalities : point.of_inequalities);
+    if (!is_equal) append_same(near_part(constraint), values.excess.size(), point.near);
   }
   if (!task.bounded) return point;
+  append_same(kActivePart, 1, point.near);
   const GoalValue bounded = cost_of(problem, problem.wishes.goals[*task.bounded], design);
   ConstraintValues values{Eigen::VectorXd::Constant(1, (bounded.cost - task.most) / task.bounded_size),
                           Eigen::MatrixXd(0, columns)};
@@ -151,24 +195,51 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
   Design design;
   if (!designs.evaluate(task.start, true, design)) return {};
   const double size = task.size > 0 ? task.size : size_of(problem, task.goal, design);
-  Programme programme = programme_of(problem, task, size, designs);
+  std::vector<int> all(static_cast<std::size_t>(count_of(problem, true)));
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> told = all;
+  Programme programme = programme_of(problem, task, size, told, designs);
+  Method method = problem.method;
   take(problem, task, programme, programme.start, size, design, found);
-  const long before = designs.count();
+  double divisor = size;
+  long spent = designs.count();  // probes are beyond the number of evaluations
+  std::optional<BetterPoint> better;
   for (int round = 0; round < kMostRounds; ++round) {
-    const int most = problem.most_evaluations - static_cast<int>(designs.count() - before);
+    const int most = problem.most_evaluations - static_cast<int>(designs.count() - spent);
     if (most <= 0) break;
-    const ProgrammeEnd end = solve(programme, problem.method, most);
+    const ProgrammeEnd end = solve(programme, method, most);
     if (problem.is_stopped && problem.is_stopped()) return {};
-    found.ended = end.words;
+    found.ended = (method != problem.method ? "cobyla, as slsqp found no step: " : "") + end.words;
     if (!designs.evaluate(designs.unscaled(end.variables), true, design)) {
       found.ended += "; there the model has no derivatives";
       break;
     }
     const bool has_moved = design.values != found.design.values;
     take(problem, task, programme, end.variables, size, design, found);
-    if (found.status == "ok" || !has_moved) break;
     programme.start = end.variables;
+    if (found.status != "ok" && has_moved && found.keeps_constraints) continue;
+    if (!found.keeps_constraints) {
+      const std::vector<int> independent = independent_rows(found.point);
+      const bool is_stuck = independent == told && !has_moved;
+      if (is_stuck && method != Method::slsqp) break;
+      if (is_stuck) method = Method::cobyla;
+      told = independent;
+      programme = programme_of(problem, task, divisor, told, designs);
+      programme.start = end.variables;
+      continue;
+    }
+    const long before = designs.count();
+    better = better_beside(programme_of(problem, task, divisor, all, designs), end.variables, found.optimality, divisor,
+                           found.design.values == task.start);
+    spent += designs.count() - before;
+    if (problem.is_stopped && problem.is_stopped()) return {};
+    if (!better || !designs.evaluate(designs.unscaled(better->variables), true, design)) break;
+    divisor = size_at(point_of(problem, task, design));
+    programme = programme_of(problem, task, divisor, told, designs);
+    programme.start = better->variables;
   }
+  if (better && found.status == "ok")
+    found.status = fmt::format("not at its end: a step beside it the goal is lower by {:.2g}", better->gain);
   return found;
 }
 

@@ -43,7 +43,7 @@ FoundConstraint found_constraint(const DesignProblem& problem, const Constraint&
   const Eigen::VectorXd rows = multipliers.take(is_equal, values.excess.size());
   found.multiplier = 0.0 - sign * rows.sum() / constraint.scale;
   found.is_broken = is_broken(constraint, values);
-  found.is_active = is_equal || values.excess[worst] > -kActivePart;
+  found.is_active = is_equal || values.excess[worst] > -near_part(constraint);
   return found;
 }
 

@@ -35,6 +35,16 @@ std::optional<std::pair<double, std::string>> number_with_unit(const std::string
   return std::pair{value, rest};
 }
 
+/// Fails: UserError for a text that is neither number nor table.
+[[noreturn]] void refuse_limit(const std::string& what, const std::string& text) {
+  const std::size_t end = text.find_first_not_of("+-.0123456789");
+  if (end != std::string::npos && end > 0 && number_with_unit(text.substr(0, end)))
+    throw UserError(fmt::format("{}: unknown unit {}: write a number in the unit of the measure\n", what,
+                                in_quotes(trimmed_text(text.substr(end)))));
+  throw UserError(fmt::format("{}: must be a number, with a unit where needed, or a table (CSV), found {}\n", what,
+                              in_quotes(text)));
+}
+
 /// Whether a text is meant as a table.
 bool is_table(const std::string& text) { return text.ends_with(".csv") || text.ends_with(".mat"); }
 
@@ -103,8 +113,7 @@ std::size_t WishReader::add_measure(const std::string& option, const std::string
     points = read_points(what, wanted, model_, measure);
     wishes_.files.push_back(wanted);
   } else if (!wanted.empty() && !number_with_unit(wanted)) {
-    throw UserError(fmt::format("{}: must be a number, with a unit where needed, or a table (CSV), found {}\n", what,
-                                in_quotes(wanted)));
+    refuse_limit(what, wanted);
   }
   wishes_.measures.push_back(std::move(measure));
   return wishes_.measures.size() - 1;
@@ -236,6 +245,18 @@ double distance_of(const std::vector<double>& values, const std::vector<double>&
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
+/// Fails: UserError where a lower limit of a measure lies above an upper one.
+void refuse_empty(const Wishes& wishes) {
+  const auto name_of = [&](const Constraint& one) { return wishes.measures[one.measure].name; };
+  for (const Constraint& low : wishes.constraints)
+    for (const Constraint& high : wishes.constraints) {
+      const bool is_pair = low.kind != Constraint::Kind::at_most && high.kind != Constraint::Kind::at_least;
+      if (!is_pair || name_of(low) != name_of(high) || low.limit.size() != 1 || high.limit.size() != 1) continue;
+      if (low.limit[0] <= high.limit[0] + low.tolerance + high.tolerance) continue;
+      throw UserError(fmt::format("--constraint: {} and {} leave no value\n", low.name, high.name));
+    }
+}
+
 }  // namespace
 
 Wishes read_wishes(const FreeModel& model, const std::vector<std::string>& goals,
@@ -267,6 +288,7 @@ void set_numbers(const std::vector<Response>& start, Wishes& wishes) {
     constraint.scale = size > 0 ? size : 1;
     constraint.tolerance = kPartBroken * (of_limit > 0 ? of_limit : constraint.scale);
   }
+  refuse_empty(wishes);
 }
 
 }  // namespace mbgen::optimise

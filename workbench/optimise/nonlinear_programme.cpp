@@ -102,8 +102,10 @@ std::string words_of(nlopt_result result) {
       return "interrupted";
     case NLOPT_SUCCESS:
       return "the method is at its end";
+    case NLOPT_FAILURE:
+      return "the method found no further step";
     default:
-      return std::string("the method failed: ") + nlopt_result_to_string(result);
+      return std::string("the method stopped with ") + nlopt_result_to_string(result);
   }
 }
 

@@ -13,6 +13,7 @@ struct ProgrammePoint {
   double goal = 0;
   Eigen::VectorXd gradient = {}, inequalities = {}, equalities = {};
   Eigen::MatrixXd of_inequalities = {}, of_equalities = {};
+  Eigen::VectorXd near = {};  ///< distances to their limits within which inequalities are active
 };
 
 /// Methods: sequential quadratic programming (D. Kraft, 1988 and 1994), the method of moving asymptotes (K. Svanberg,

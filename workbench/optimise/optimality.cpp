@@ -18,6 +18,11 @@ struct ActiveColumn {
   bool is_free = false;
 };
 
+/// -1 at the lower bound, 1 at the upper, 0 between them.
+int near_side(double value, double lower, double upper, double near) {
+  return value <= lower + near ? -1 : value >= upper - near ? 1 : 0;
+}
+
 std::vector<ActiveColumn> active_columns(const ProgrammePoint& point, const Eigen::VectorXd& variables,
                                          const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                                          Optimality& result) {
@@ -25,11 +30,11 @@ std::vector<ActiveColumn> active_columns(const ProgrammePoint& point, const Eige
   for (Eigen::Index e = 0; e < point.equalities.size(); ++e)
     columns.push_back({point.of_equalities.row(e).transpose(), &result.equalities[e], 1, true});
   for (Eigen::Index k = 0; k < point.inequalities.size(); ++k)
-    if (point.inequalities[k] > -kActivePart)
+    if (point.inequalities[k] > -point.near[k])
       columns.push_back({point.of_inequalities.row(k).transpose(), &result.inequalities[k]});
   for (Eigen::Index v = 0; v < variables.size(); ++v) {
-    const double near = kActivePart * (upper[v] - lower[v]);
-    const int side = variables[v] <= lower[v] + near ? -1 : variables[v] >= upper[v] - near ? 1 : 0;
+    const double size = std::min(upper[v] - lower[v], std::max(1.0, std::abs(variables[v])));
+    const int side = near_side(variables[v], lower[v], upper[v], kActivePart * size);
     result.at_bound[static_cast<std::size_t>(v)] = side;
     if (side == 0) continue;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(variables.size());
@@ -118,6 +123,7 @@ Optimality optimality_at(const ProgrammePoint& point, const Eigen::VectorXd& var
     *columns[c].multiplier = columns[c].sign * multipliers[static_cast<Eigen::Index>(c)];
   const Eigen::VectorXd rest = rest_of(columns, multipliers, wanted);
   result.rest = rest.cwiseAbs().maxCoeff() / size;
+  result.rest_direction = rest;
   return result;
 }
 

@@ -15,13 +15,15 @@ struct Optimality {
   Eigen::VectorXd bounds;                    ///< of an upper bound above 0, of a lower one below 0
   std::vector<int> at_bound;                 ///< -1 lower, 1 upper, 0 none, per variable
   double rest = 0;  ///< largest element of the gradient that no combination explains, over the size of goals
+  Eigen::VectorXd rest_direction = {};  ///< minus that part of the gradient: the way down
 };
 
-/// The conditions of first order hold up to this rest: the goal is then about its square, 1e-8 of the goal's size, above
-/// the best nearby. SLSQP can end there where constraints are curved (the Maratos effect).
+/// The conditions of first order hold up to this rest: the goal is then about its square, 1e-8 of the goal's size,
+/// above the best nearby. SLSQP can end there where constraints are curved (the Maratos effect).
 constexpr double kSmallRest = 1e-4;
 
-/// A constraint or bound this near to its limit, in parts of its scale or range, is active.
+/// A bound this near is active, in parts of the range or of the value, whichever is less; a constraint likewise, in
+/// parts of its scale or limit.
 constexpr double kActivePart = 1e-6;
 
 /// Multipliers by least squares with signs (C. L. Lawson, R. J. Hanson, Solving Least Squares Problems, 1974, ch. 23),

@@ -105,6 +105,9 @@ std::pair<std::size_t, std::size_t> goals_of_trade_off(const std::string& text, 
   }
   if (found.size() != 2 || found[0] == found[1])
     throw UserError(fmt::format("--trade-off: must be GOAL,GOAL, two names of --goal, found {}\n", in_quotes(text)));
+  if (wishes.goals.size() > 2)
+    throw UserError(
+        fmt::format("--trade-off: is of two goals, found {}: write the others as --constraint\n", wishes.goals.size()));
   return {found[0], found[1]};
 }
 
@@ -181,7 +184,9 @@ void search_all(const OptimiseArguments& arguments, const DesignProblem& problem
   const Responses after = responses_at(problem, best->design.values, false);
   if (after.failure.empty()) result.curves = found_curves(problem, before.list, after.list);
   doubt(after, result.best, result.warnings);
-  if (best->design.values != start || !result.best.is_ok() || best->point.goal == 0) return;
+  const auto is_target = [](const Goal& goal) { return goal.kind == Goal::Kind::target; };
+  const bool is_met = best->point.goal == 0 && std::ranges::all_of(problem.wishes.goals, is_target);
+  if (best->design.values != start || !result.best.is_ok() || is_met) return;
   result.warnings.push_back("the start is stationary: another start tells whether it is the best or a saddle");
   if (best->point.gradient.isZero(0.0)) result.best.status = "doubted, see the warnings";
 }

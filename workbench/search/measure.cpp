@@ -11,6 +11,7 @@
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/sweep/sweep_case.hpp"
 
 namespace mbgen {
 namespace {
@@ -55,8 +56,8 @@ void read_rig(const std::string& what, const Model& model, const std::vector<std
 }
 
 /// A metric, or a number of a manoeuvre.
-void read_of_motion(const std::string& what, std::string text, const std::vector<std::string>& manoeuvres,
-                    Measure& measure) {
+void read_of_motion(const std::string& what, std::string text, const Model& model,
+                    const std::vector<std::string>& manoeuvres, Measure& measure) {
   std::vector<std::string> stems;
   for (const std::string& file : manoeuvres) stems.push_back(std::filesystem::path(file).stem().string());
   const std::size_t colon = text.find(':');
@@ -72,6 +73,7 @@ void read_of_motion(const std::string& what, std::string text, const std::vector
   }
   measure.of = !manoeuvres.empty() && is_word(text) ? Measure::Of::manoeuvre : Measure::Of::metric;
   measure.part = text;
+  if (manoeuvres.empty()) expect(read_metrics({text}, model, what));
 }
 
 }  // namespace
@@ -97,7 +99,7 @@ Measure read_measure(const std::string& option, const std::string& text, const M
   } else if (is("kc", 3, 4)) {
     read_rig(what, model, words, measure);
   } else {
-    read_of_motion(what, text, manoeuvres, measure);
+    read_of_motion(what, text, model, manoeuvres, measure);
   }
   return measure;
 }

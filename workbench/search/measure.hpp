@@ -33,7 +33,7 @@ constexpr const char* kMeasures =
     "number of a manoeuvre";
 
 /// Reads a measure. option: of its text, for messages; manoeuvres: files that are driven, none: the model moves by
-/// itself. An expression of a metric is not looked at. Fails: UserError.
+/// itself. With manoeuvres an expression of a metric is not looked at. Fails: UserError.
 Measure read_measure(const std::string& option, const std::string& text, const Model& model,
                      const std::vector<std::string>& manoeuvres);
 

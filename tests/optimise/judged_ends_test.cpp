@@ -1,0 +1,71 @@
+// mbgen optimise: ends that are no least, which must not be ok.
+
+#include "tests/optimise/optimise_support.hpp"
+
+namespace mbgen::cli_test {
+namespace {
+
+class OptimiseEnds : public Optimise {
+ protected:
+  void SetUp() override {
+    Optimise::SetUp();
+    if (IsSkipped()) return;
+    write("ends.json", R"({ "mbgen": 1, "name": "ends", "include": ["forms.json"], "outputs": {
+      "p": { "unit": "m", "expression": "p" }, "saddle": { "unit": "m^2", "expression": "p*q" },
+      "hidden": { "unit": "1", "expression": "1e6*p + (q - 1)^2" },
+      "wall": { "unit": "1", "expression": "(p - 1)^2 + 1e10*max(0, p - 1.5)^4" } } })");
+  }
+  Json found(const std::string& words) { return json_of("optimise ends.json --json " + words); }
+};
+
+TEST_F(OptimiseEnds, WideBoundsHoldNoValueBetweenThem) {
+  const Json stopped = found("--free p=1e-9:0.4:1e9 --set q=1 --goal min:start:bowl --evaluations 1");
+  EXPECT_EQ(stopped["variables"][0]["at_bound"], "");
+  EXPECT_NE(stopped["status"], "ok");
+  const Json result = found("--free p=1e-9:0.4:1e9 --set q=1 --goal min:start:bowl");
+  EXPECT_EQ(result["status"], "ok");
+  EXPECT_NEAR(value_of(result, "p"), 2, 1e-6);
+}
+
+TEST_F(OptimiseEnds, ASteepStartHidesNoSlopeOfTheResult) {
+  for (const char* method : {"slsqp", "mma", "cobyla"}) {
+    const Json result = found(std::string("--free p=0:2:3 --goal min:start:wall --method ") + method);
+    EXPECT_EQ(result["status"], "ok") << method;
+    EXPECT_NEAR(value_of(result, "p"), 1, 1e-4) << method;
+  }
+  const std::string words = "--free p=0:0.5:1,q=-3:0:3 --goal min:start:hidden";
+  EXPECT_NE(found(words + " --evaluations 2")["status"], "ok");
+  const Json whole = found(words);
+  EXPECT_EQ(whole["status"], "ok");
+  EXPECT_NEAR(value_of(whole, "q"), 1, 1e-4);
+}
+
+TEST_F(OptimiseEnds, AStationaryStartThatIsNoLeastIsLeft) {
+  const Json top = found("--free p=1:2:3 --set q=1 --goal max:start:bowl");
+  EXPECT_EQ(top["status"], "ok");
+  EXPECT_NEAR(top["goals"][0]["value"].get<double>(), 1, 1e-9);
+  const Json saddle = found("--free p=-1:0:1,q=-1:0:1 --goal min:start:saddle");
+  EXPECT_NEAR(saddle["goals"][0]["value"].get<double>(), -1, 1e-9);
+  // On the circle p = 1 is stationary, and the largest.
+  const Json circle = found("--free p=-2:0.5:2,q=-2:0:2 --goal min:start:p --constraint start:near==1");
+  EXPECT_EQ(circle["status"], "ok");
+  EXPECT_NEAR(value_of(circle, "p"), -1, 1e-5);
+  // The least itself as start is not told from other stationary ones.
+  EXPECT_EQ(found("--free p=0:2:3 --set q=1 --goal min:start:bowl")["status"], "doubted, see the warnings");
+}
+
+TEST_F(OptimiseEnds, EqualitiesMayRepeatEachOther) {
+  const Json result =
+      found("--free p=-2:0.5:2,q=-2:0.1:2 --goal min:start:bowl:1 --constraint start:sum==1,start:sum==1");
+  EXPECT_EQ(result["status"], "ok");
+  EXPECT_NEAR(value_of(result, "p"), 1, 1e-6);
+  EXPECT_NEAR(value_of(result, "q"), 0, 1e-6);
+  const Json more = found(
+      "--free p=-2:0.5:2,q=-2:0.1:2 --goal min:start:near --constraint "
+      "start:p==1,start:p==1,start:sum==2,start:near==2");
+  EXPECT_EQ(more["status"], "ok");
+  EXPECT_NEAR(value_of(more, "q"), 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace mbgen::cli_test
