@@ -152,7 +152,6 @@ ProgrammeEnd solve(const Programme& programme, Method method, int most) {
   double goal = 0;
   const nlopt_result result = nlopt_optimize(opt, end.variables.data(), &goal);
   functions.rethrow();
-  end.is_by_itself = (result > 0 && result != NLOPT_MAXEVAL_REACHED) || result == NLOPT_ROUNDOFF_LIMITED;
   end.words = words_of(result);
   return end;
 }

@@ -30,8 +30,6 @@ struct Programme {
 
 struct ProgrammeEnd {
   Eigen::VectorXd variables;
-  bool is_by_itself =
-      false;               ///< the method found no better point; else it ran out of evaluations, was stopped, or failed
   std::string words = {};  ///< for people
 };
 
