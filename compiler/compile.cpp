@@ -197,6 +197,13 @@ Programs programs_for_slopes(const Compilation& c) {
   return has_bristle ? whole_programs(model, c.topology, c.analysis, c.form()).programs : c.whole.programs;
 }
 
+/// The same model by other decisions, and its whole programs alone.
+Compilation with_analysis(const Compilation& c, Analysis analysis) {
+  Compilation anew{c.model, c.topology, std::move(analysis)};
+  anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.form());
+  return anew;
+}
+
 }  // namespace
 
 FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion version) {
@@ -210,8 +217,7 @@ std::vector<EmittedFile> emit_casadi(const Compilation& c, const InitialState& i
 std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<double>& z) {
   std::optional<Analysis> analysis = chosen_at(c.model, c.topology, c.analysis, z);
   if (!analysis) return {};
-  Compilation anew{c.model, c.topology, std::move(*analysis)};
-  anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.form());
+  Compilation anew = with_analysis(c, std::move(*analysis));
   if (c.directional) add_directional(anew);
   return anew;
 }
@@ -225,8 +231,7 @@ std::optional<Compilation> with_states(const Compilation& c, const std::vector<d
                                        const std::vector<int>& coordinates) {
   std::optional<Analysis> analysis = with_independent(c.model, c.topology, c.analysis, z, coordinates);
   if (!analysis) return {};
-  Compilation anew{c.model, c.topology, std::move(*analysis)};
-  anew.whole = whole_programs(anew.model, anew.topology, anew.analysis, c.form());
+  Compilation anew = with_analysis(c, std::move(*analysis));
   anew.emitted = c.emitted;
   return anew;
 }

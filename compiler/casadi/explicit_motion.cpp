@@ -213,13 +213,22 @@ ExplicitMotion explicit_slopes(const Programs& programs, const SolverLayout& lay
   return slopes;
 }
 
+std::vector<bool> along_direction(const Program& program) {
+  std::vector<bool> moves(program.nodes.size(), false);
+  for (ValueId v = 0; v < program.nodes.size(); ++v) {
+    const Node& node = program.nodes[v];
+    moves[v] = node.op == Op::input && program.inputs[static_cast<std::size_t>(node.input)].group == Array::seed;
+    for (int k = 0; k < arity(node.op); ++k) moves[v] = moves[v] || moves[node.operands[k]];
+  }
+  return moves;
+}
+
 SplitSlopes split_slopes(const Program& slopes) {
   const std::size_t count = slopes.nodes.size();
-  std::vector<bool> moves(count, false), is_factor(count, false);
+  const std::vector<bool> moves = along_direction(slopes);
+  std::vector<bool> is_factor(count, false);
   for (ValueId v = 0; v < count; ++v) {
     const Node& node = slopes.nodes[v];
-    moves[v] = node.op == Op::input && slopes.inputs[static_cast<std::size_t>(node.input)].group == Array::seed;
-    for (int k = 0; k < arity(node.op); ++k) moves[v] = moves[v] || moves[node.operands[k]];
     for (int k = 0; k < arity(node.op) && moves[v]; ++k) is_factor[node.operands[k]] = !moves[node.operands[k]];
   }
   for (const OutputValue& output : slopes.outputs)

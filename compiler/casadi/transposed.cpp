@@ -14,14 +14,10 @@ class Transposition {
   explicit Transposition(const Program& program)
       : program_(program),
         builder_(ProgramBuilder::like(program)),
-        moves_(program.nodes.size(), false),
+        moves_(along_direction(program)),
         weight_(program.nodes.size(), kNoValue) {
-    for (ValueId v = 0; v < program.nodes.size(); ++v) {
-      const Node& node = program.nodes[v];
-      moves_[v] = node.op == Op::input && slot_of(node).group == Array::seed;
-      for (int k = 0; k < arity(node.op); ++k) moves_[v] = moves_[v] || moves_[node.operands[k]];
-      still_.push_back(moves_[v] ? kNoValue : builder_.copy(program, node, still_));
-    }
+    for (ValueId v = 0; v < program.nodes.size(); ++v)
+      still_.push_back(moves_[v] ? kNoValue : builder_.copy(program, program.nodes[v], still_));
   }
 
   Program program(const std::vector<Slot>& rows, int arguments) {
