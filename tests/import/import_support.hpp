@@ -65,6 +65,19 @@ inline double difference(const Mechanism& a, const Mechanism& b, const std::vect
   return error;
 }
 
+/// Checks that a robot accelerates as models/four_bar.json, whose loop its joint "rocker_tip" closes.
+inline void expect_four_bar_of_models(const Mechanism& robot) {
+  Model model = *read_model_file(source_path("models/four_bar.json"));
+  model.springs.clear();
+  model.outputs.clear();
+  for (Joint& joint : model.joints)
+    if (joint.name == "rocker_tip") joint.cut = CutMark::cut;
+  const Mechanism written = analysed(Result<Model>(model));
+  const std::vector<GenericState> states = random_states(robot, 5);
+  ASSERT_EQ(states.size(), 5u);
+  EXPECT_LT(difference(robot, written, states), 1e-11);
+}
+
 /// Whether a note of an import contains a text.
 inline bool has_note(const ImportedModel& model, const std::string& part) {
   return std::any_of(model.notes.begin(), model.notes.end(),

@@ -22,16 +22,7 @@ std::string messages_of(const ImportRequest& request) {
 }
 
 TEST(ImportUrdf, AFourBarWithASidecarIsTheFourBarOfModels) {
-  const Mechanism robot = mechanism_of(imported("four_bar.urdf", "four_bar_loops.json").json);
-  Model model = *read_model_file(source_path("models/four_bar.json"));
-  model.springs.clear();
-  model.outputs.clear();
-  for (Joint& joint : model.joints)
-    if (joint.name == "rocker_tip") joint.cut = CutMark::cut;
-  const Mechanism written = analysed(Result<Model>(model));
-  const std::vector<GenericState> states = random_states(robot, 5);
-  ASSERT_EQ(states.size(), 5u);
-  EXPECT_LT(difference(robot, written, states), 1e-11);
+  expect_four_bar_of_models(mechanism_of(imported("four_bar.urdf", "four_bar_loops.json").json));
 }
 
 TEST(ImportUrdf, ALinkOfTwoParentsClosesALoop) {

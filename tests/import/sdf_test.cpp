@@ -43,16 +43,7 @@ TEST(ImportSdf, AFourBarIsTheFourBarOfModels) {
   EXPECT_EQ(sdf.loops, 1);
   EXPECT_EQ(sdf.format, "SDF");
   EXPECT_TRUE(sdf.notes.empty());
-  const Mechanism robot = mechanism_of(sdf.json);
-  Model model = *read_model_file(source_path("models/four_bar.json"));
-  model.springs.clear();
-  model.outputs.clear();
-  for (Joint& joint : model.joints)
-    if (joint.name == "rocker_tip") joint.cut = CutMark::cut;
-  const Mechanism written = analysed(Result<Model>(model));
-  const std::vector<GenericState> states = random_states(robot, 5);
-  ASSERT_EQ(states.size(), 5u);
-  EXPECT_LT(difference(robot, written, states), 1e-11);
+  expect_four_bar_of_models(mechanism_of(sdf.json));
 }
 
 /// m g l = (m l^2 + I) zdd, l the way per radian.

@@ -18,6 +18,13 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/// The turn by roll, pitch and yaw, rad: about the fixed axes x, y and z, in this order (URDF, SDF).
+inline Matrix3d turn_of(const Vector3d& rpy) {
+  return (Eigen::AngleAxisd(rpy[2], Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy[1], Vector3d::UnitY()) *
+          Eigen::AngleAxisd(rpy[0], Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
 constexpr int kGroundDraft = 0;  ///< index of the ground in Assembly::bodies
 
 struct BodyDraft {

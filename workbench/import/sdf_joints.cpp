@@ -28,7 +28,7 @@ struct JointReader {
   Reading& reading;
   const SdfModel& model;
   Assembly& assembly;
-  std::map<std::string, SdfCoordinate, std::less<>> coordinates;  ///< by joint, of one axis; "NAME/axis2" for a second
+  std::map<std::string, SdfCoordinate, std::less<>> coordinates;  ///< by joint; "NAME_2" of a second axis
   std::vector<int> coupled;                                       ///< drafts that couplings look at
   const Element* first_limit = nullptr;
   int limit_count = 0;

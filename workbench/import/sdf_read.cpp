@@ -145,10 +145,7 @@ Isometry3d read_pose(Reading& reading, const Element* pose) {
     return frame;
   }
   const double unit = text_of(*pose, "degrees") == "true" ? std::numbers::pi / 180 : 1;
-  frame.linear() =
-      (Eigen::AngleAxisd(unit * v[5], Vector3d::UnitZ()) * Eigen::AngleAxisd(unit * v[4], Vector3d::UnitY()) *
-       Eigen::AngleAxisd(unit * v[3], Vector3d::UnitX()))
-          .toRotationMatrix();
+  frame.linear() = turn_of(unit * Vector3d(v[3], v[4], v[5]));
   return frame;
 }
 

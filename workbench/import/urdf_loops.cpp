@@ -75,9 +75,7 @@ struct SidecarReader {
     const Vector3d angles = vector(owner, rpy, pointer).value_or(Vector3d::Zero());
     Isometry3d result = Isometry3d::Identity();
     result.translate(vector(owner, xyz, pointer).value_or(Vector3d::Zero()));
-    result.rotate(Eigen::AngleAxisd(angles[2], Vector3d::UnitZ()));
-    result.rotate(Eigen::AngleAxisd(angles[1], Vector3d::UnitY()));
-    result.rotate(Eigen::AngleAxisd(angles[0], Vector3d::UnitX()));
+    result.rotate(turn_of(angles));
     return result;
   }
 

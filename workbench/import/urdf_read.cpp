@@ -163,9 +163,7 @@ Isometry3d read_origin(Reading& reading, const Element& element) {
     }
     return frame;
   }
-  frame.linear() = (Eigen::AngleAxisd(rpy[2], Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy[1], Vector3d::UnitY()) *
-                    Eigen::AngleAxisd(rpy[0], Vector3d::UnitX()))
-                       .toRotationMatrix();
+  frame.linear() = turn_of(rpy);
   return frame;
 }
 
