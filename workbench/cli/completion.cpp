@@ -7,6 +7,7 @@
 
 #include "workbench/cli/commands.hpp"
 #include "workbench/host/files.hpp"
+#include "workbench/host/message.hpp"
 
 namespace mbgen::cli {
 namespace {
@@ -19,8 +20,6 @@ struct CompletionOptions {
 struct CompletedOption {
   std::string word, description;
 };
-
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 std::vector<CompletedOption> options_of(const NamedCommand& command) {
   std::vector<CompletedOption> list;

@@ -136,7 +136,7 @@ void require_derivatives(const SimulateOptions& options, const std::string& engi
 TangentEngine engine_of(const Compilation& compilation, const EngineChoice& choice,
                         const std::shared_ptr<const SolverTable>& kept, const std::vector<std::string>& sensitivities) {
   if (!sensitivities.empty()) return make_tangent_engine(compilation, choice, sensitivities);
-  return {nullptr, kept ? make_generated_engine(kept, compilation, choice) : make_engine(compilation, choice)};
+  return make_moving_engine({kept, nullptr}, compilation, choice, sensitivities);
 }
 
 /// Replaces --engine auto by the engine that suits the motion, which standard error names. Result: its solver, if it is

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "compiler/reader/read_model.hpp"
@@ -31,7 +29,7 @@ constexpr double kSameSigma = 1e-4;
 /// The fit in scaled unknowns, with a journal.
 class Search {
  public:
-  Search(FitProblem& problem, const Loss& loss, EvaluationJournal* journal)
+  Search(FitProblem& problem, const Loss& loss, EvaluationJournal& journal)
       : problem_(problem), loss_(loss), journal_(journal) {}
 
   std::vector<double> unscaled(const Eigen::VectorXd& scaled) const {
@@ -46,17 +44,12 @@ class Search {
   /// Reduced residuals; their derivatives are by the scaled unknowns. Known results are not computed again.
   bool evaluate(const std::vector<double>& values, bool with_jacobian, Reduced& result) {
     const std::string arguments = arguments_of(values, with_jacobian);
-    const auto known = known_.find(arguments);
-    const std::vector<double>* numbers = known != known_.end() ? &known->second
-                                         : journal_ != nullptr ? journal_->find(arguments)
-                                                               : nullptr;
-    if (numbers != nullptr) {
+    if (const std::vector<double>* numbers = journal_.find(arguments)) {
       result = unpacked(*numbers, with_jacobian);
       return true;
     }
     if (!compute(values, with_jacobian, result)) return false;
-    known_[arguments] = packed(result);
-    if (journal_ != nullptr) journal_->add(arguments, known_[arguments]);
+    journal_.add(arguments, packed(result));
     return true;
   }
 
@@ -121,8 +114,7 @@ class Search {
 
   FitProblem& problem_;
   Loss loss_;
-  EvaluationJournal* journal_;
-  std::map<std::string, std::vector<double>> known_;
+  EvaluationJournal& journal_;
   std::string failure_;
 };
 
@@ -270,11 +262,8 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   FitProblem problem = read_problem(arguments, model);
   BlockedSignals signals;
   problem.is_stopped = [&] { return signals.taken() != 0; };
-  std::unique_ptr<EvaluationJournal> journal;
-  if (!arguments.journal.empty())
-    journal = std::make_unique<EvaluationJournal>(arguments.journal, "fit", description_of(arguments, problem),
-                                                  arguments.restart);
-  if (journal && journal->known() > 0) print_message("fit: {} evaluations were done before\n", journal->known());
+  EvaluationJournal journal(arguments.journal, "fit", description_of(arguments, problem), arguments.restart);
+  if (journal.known() > 0) print_message("fit: {} evaluations were done before\n", journal.known());
   FitResult result{.model = model.model.name,
                    .model_file = arguments.model.path,
                    .engine = model.choice.name,
@@ -282,7 +271,7 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   for (const MeasureSource& source : problem.points.sources)
     if (source.of == MeasureSource::Of::motion) result.engine = source.study.choice.name;
   if (!model.why_differences.empty()) print_message("fit: derivatives by differences: {}\n", model.why_differences);
-  Search steps(problem, loss, journal.get());
+  Search steps(problem, loss, journal);
   search(method, problem, steps, arguments, signals, result);
   Reduced last;
   if (!steps.evaluate(result.values, true, last)) {

@@ -9,6 +9,7 @@
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/host/message.hpp"
 #include "workbench/motion/motion_end.hpp"
 #include "workbench/motion/motion_judge.hpp"
 #include "workbench/sensitivity/tangent_engine.hpp"
@@ -127,14 +128,14 @@ Outcome moved(const FreeModel& model, const MeasuredFile& file, const std::vecto
                             .inputs = inputs},
                            record);
     outcome.warnings = motion.verdict.warnings;
-    if (!motion.verdict.failure.empty()) outcome.failure = headline(motion.verdict.failure);
+    if (!motion.verdict.failure.empty()) outcome.failure = first_line(motion.verdict.failure);
   } else {
     const std::vector<bool> needed = needed_points(file, channels, settings);
     if (!needed.empty()) settings.is_sample = [&](long step) { return needed[static_cast<std::size_t>(step)]; };
     motion.summary = simulate(engine, state, inputs, settings, record);
   }
   if (motion.summary.is_stopped) outcome.failure = "interrupted";
-  if (!motion.summary.status.ok()) outcome.failure = headline(end_text(compilation, motion));
+  if (!motion.summary.status.ok()) outcome.failure = first_line(end_text(compilation, motion));
   recorder.give(outcome);
   return outcome;
 }
@@ -149,7 +150,7 @@ Outcome motion_of(const FreeModel& model, const MeasuredFile& file, int run, con
     set_starts(unknowns, values, run, compilation.model);
     return moved(model, file, channels, unknowns, compilation, care, is_stopped);
   } catch (const UserError& error) {
-    return {headline(error.what()), {}, {}};
+    return {first_line(error.what()), {}, {}};
   }
 }
 

@@ -7,6 +7,7 @@
 #include "compiler/text/characters.hpp"
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
+#include "workbench/host/message.hpp"
 
 namespace mbgen::fit {
 namespace {
@@ -64,7 +65,7 @@ Outcome point_values(const FreeModel& model, const MeasureSet& set, const std::v
   outcome.series.resize(set.measures.size());
   for (const MeasureSource& source : set.sources) {
     const SourceValues found = evaluate(source, model, unknowns, set.measures, values, false, is_stopped);
-    if (!found.failure.empty()) return {headline(found.failure), {}, {}};
+    if (!found.failure.empty()) return {first_line(found.failure), {}, {}};
     for (std::size_t k = 0; k < source.measures.size(); ++k)
       outcome.series[source.measures[k]] = {{0}, found.responses[k].values};
     outcome.warnings.insert(outcome.warnings.end(), found.warnings.begin(), found.warnings.end());

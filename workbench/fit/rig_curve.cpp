@@ -9,6 +9,7 @@
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/host/message.hpp"
 #include "workbench/search/rig.hpp"
 
 namespace mbgen::fit {
@@ -41,9 +42,7 @@ std::string axle_of(const MeasuredTable& table, const Model& model, const std::v
 MeasuredFile read_rig(const MeasuredTable& table, const FreeModel& model, RigReports& reports,
                       std::vector<Channel>& channels, bool is_held_out, std::vector<std::string>& notes) {
   const std::string axle = axle_of(table, model.model, channels);
-  if (!reports.contains(axle))
-    reports.emplace(axle, rig_report(expect(decide(model.model)), model.arguments, axle, {}));
-  const KcReport& report = reports.at(axle);
+  const KcReport& report = outline_of_rig(model, axle, reports);
   const KcTable& curve = curve_of_table(table, report, false);
   MeasuredFile file{.path = table.path,
                     .is_held_out = is_held_out,
@@ -76,15 +75,11 @@ Outcome rig_curve(const FreeModel& model, const MeasuredFile& file, const std::v
   double amplitude = 0;
   for (const MeasuredChannel& measured : file.channels)
     for (const double at : measured.at) amplitude = std::max(amplitude, std::abs(at));
-  KcSettings settings{.points = kPointsOfCurve};
+  KcSettings settings;
   reach_out_to(file.curve, amplitude, settings);
   try {
     const Compilation compilation = compilation_at(model, unknowns, values);
-    // The curves behind the needed one are left out.
-    const KcWatch watch = [&](long done, long) {
-      return done <= static_cast<long>(kPointsOfCurve) * (file.curve_number + 1);
-    };
-    const KcReport report = rig_report(compilation, model.arguments, file.axle, settings, watch);
+    const KcReport report = curves_of_rig(compilation, model.arguments, file.axle, settings, file.curve_number + 1, {});
     const KcTable* curve = curve_named(report, file.curve);
     if (curve == nullptr) return {fmt::format("the rig has no curve {}", file.curve), {}, {}};
     const std::vector<double>& at = curve->columns.front().values;
@@ -96,7 +91,7 @@ Outcome rig_curve(const FreeModel& model, const MeasuredFile& file, const std::v
     }
     return outcome;
   } catch (const UserError& error) {
-    return {headline(error.what()), {}, {}};
+    return {first_line(error.what()), {}, {}};
   }
 }
 

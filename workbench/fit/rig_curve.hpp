@@ -1,7 +1,6 @@
 #pragma once
 // Curves of a rig as targets of a fit.
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -9,9 +8,6 @@
 #include "workbench/search/rig.hpp"
 
 namespace mbgen::fit {
-
-/// Curves of the axles at the model's values, by name of the axle.
-using RigReports = std::map<std::string, KcReport>;
 
 /// Reads points of a rig's curve: the file's name tells axle and curve. reports: of axles that were read before. Units
 /// of the channels become those of the rig. Fails: UserError with file and line, as read_run; for an axle, curve or

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -14,6 +15,9 @@ void print_styled(std::string_view text);
 
 /// Writes a plain text; control characters of terminals are shown as `?` (terminal_text).
 void print_plain(std::string_view text);
+
+/// The first line of a message: the reason, without its hints.
+inline std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 /// print_plain of a formatted text.
 template <class... Values>

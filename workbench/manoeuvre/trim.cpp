@@ -9,6 +9,7 @@
 #include "runtime/generic/generic.hpp"
 #include "workbench/engines/engine.hpp"
 #include "workbench/manoeuvre/vehicle_motion.hpp"
+#include "workbench/operating/operating_point.hpp"
 
 namespace mbgen {
 namespace {
@@ -23,17 +24,6 @@ constexpr Eigen::Index kYawRateGoal = 2;
 
 int output_named(const Model& model, std::string_view name) {
   return static_cast<int>(std::ranges::find(model.outputs, name, &Output::name) - model.outputs.begin());
-}
-
-std::vector<double> outputs_at(const Compilation& c, const OperatingPoint& point) {
-  GenericSolver solver(c.model, c.topology, c.analysis);
-  solver.set_inputs(point.inputs);
-  const GenericState state{point.z, point.zd, point.x, point.t};
-  const std::vector<double> tau(point.z.size(), 0.0);
-  GenericDerivative derivative;
-  if (const Status status = solver.accelerations(state, tau, derivative); !status.ok())
-    throw UserError(fmt::format("{}: {}\n", c.model.file, describe(c, status)));
-  return solver.outputs(state, tau, derivative).y;
 }
 
 /// A speed and a yaw rate.
@@ -105,7 +95,7 @@ class PaceWay {
   /// The motion at hand with its gains.
   Trim trim() const {
     const OperatingPoint& point = last_.point;
-    const std::vector<double> y = outputs_at(c_, point);
+    const std::vector<double> y = outputs_at(c_, point, c_.model.file);
     const Vehicle& vehicle = *c_.model.vehicle;
     Trim trim{.steady = last_, .system = expect(linearise(c_, point))};
     trim.speed = std::hypot(y[index("vehicle_vx")], y[index("vehicle_vy")]);
@@ -199,11 +189,13 @@ void incline(Model& model, double grade, double heading) {
 }
 
 double heading_at(const Compilation& compilation, const OperatingPoint& point) {
-  return outputs_at(compilation, point)[static_cast<std::size_t>(output_named(compilation.model, "vehicle_heading"))];
+  return outputs_at(
+      compilation, point,
+      compilation.model.file)[static_cast<std::size_t>(output_named(compilation.model, "vehicle_heading"))];
 }
 
 double speed_at(const Compilation& compilation, const OperatingPoint& point) {
-  const std::vector<double> y = outputs_at(compilation, point);
+  const std::vector<double> y = outputs_at(compilation, point, compilation.model.file);
   const auto value = [&](const char* name) {
     return y[static_cast<std::size_t>(output_named(compilation.model, name))];
   };

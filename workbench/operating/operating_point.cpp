@@ -124,6 +124,17 @@ OperatingPoint point_of_result(const Compilation& compilation, const StateArgume
 
 }  // namespace
 
+std::vector<double> outputs_at(const Compilation& c, const OperatingPoint& point, const std::string& where) {
+  GenericSolver solver(c.model, c.topology, c.analysis);
+  solver.set_inputs(point.inputs);
+  const GenericState state{point.z, point.zd, point.x, point.t};
+  const std::vector<double> tau(point.z.size(), 0.0);
+  GenericDerivative derivative;
+  if (const Status status = solver.accelerations(state, tau, derivative); !status.ok())
+    throw UserError(fmt::format("{}: {}\n", where, describe(c, status)));
+  return solver.outputs(state, tau, derivative).y;
+}
+
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs) {
   GenericState state = users_initial_state(compilation, inputs);
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);

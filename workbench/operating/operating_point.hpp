@@ -32,6 +32,10 @@ ChosenPoint operating_point(const Compilation& compilation, const StateArguments
 /// Files read by a command with these arguments, including `run_file` of a result.
 std::vector<std::string> files_read(const Model& model, const StateArguments& arguments);
 
+/// All outputs at a point, by the generic engine. where: in front of the reason. Fails: UserError where the point has
+/// no accelerations.
+std::vector<double> outputs_at(const Compilation& compilation, const OperatingPoint& point, const std::string& where);
+
 /// The static equilibrium near the model's initial state, at these inputs. Fails: UserError if there is none.
 GenericState equilibrium_state(const Compilation& compilation, const std::vector<double>& inputs);
 

@@ -144,10 +144,7 @@ bool Designs::compute(const std::vector<double>& values, bool with_derivatives, 
 }
 
 bool Designs::take_known(const std::string& key, bool with_derivatives, Design& design) const {
-  const auto found = known_.find(key);
-  const std::vector<double>* numbers = found != known_.end() ? &found->second
-                                       : journal_ != nullptr ? journal_->find(key)
-                                                             : nullptr;
+  const std::vector<double>* numbers = journal_.find(key);
   if (numbers == nullptr) return false;
   const auto rows = static_cast<Eigen::Index>(first_number(problem_, problem_.lengths.size()));
   const auto columns = static_cast<Eigen::Index>(problem_.variables.size());
@@ -162,27 +159,23 @@ bool Designs::evaluate(const std::vector<double>& values, bool with_derivatives,
   for (const double value : values) arguments += fmt::format(" {}", value);
   const std::string key = (with_derivatives ? "slope" : "value") + arguments;
   design.values = values;
-  const bool was_known = known_.contains(key);
-  if (!with_derivatives && known_.contains("slope" + arguments)) return evaluate(values, true, design);
-  if (known_refusals_.contains(key)) return false;
+  if (!with_derivatives && seen_.contains("slope" + arguments)) return evaluate(values, true, design);
+  if (seen_refusals_.contains(key)) return false;
   if (!take_known(key, with_derivatives, design)) {
     std::string failure;
     if (!compute(values, with_derivatives, design, failure)) {
       if (problem_.is_stopped && problem_.is_stopped()) return false;
       ++count_;
-      known_refusals_[key] = true;
+      seen_refusals_.insert(key);
       refused_.push_back({values, failure});
       course_.push_back({0, 0, true});
       return false;
     }
     std::vector<double> numbers(design.numbers.begin(), design.numbers.end());
     numbers.insert(numbers.end(), design.derivatives.data(), design.derivatives.data() + design.derivatives.size());
-    if (journal_ != nullptr) journal_->add(key, numbers);
+    journal_.add(key, numbers);
   }
-  if (was_known) return true;
-  std::vector<double>& kept = known_[key];
-  kept.assign(design.numbers.begin(), design.numbers.end());
-  kept.insert(kept.end(), design.derivatives.data(), design.derivatives.data() + design.derivatives.size());
+  if (!seen_.insert(key).second) return true;
   ++count_;
   with_derivatives_ += with_derivatives;
   note(design);

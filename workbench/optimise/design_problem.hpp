@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,7 +45,7 @@ struct EvaluatedDesign {
   bool is_refused = false;
 };
 
-/// Responses of all measures at values of the variables. care: warnings are wanted too.
+/// Responses of all measures at values of the variables.
 struct Responses {
   std::string failure;
   std::vector<Response> list;
@@ -56,7 +56,7 @@ Responses responses_at(const DesignProblem& problem, const std::vector<double>& 
 /// Evaluates designs, each once, with a journal and a line of progress.
 class Designs {
  public:
-  Designs(const DesignProblem& problem, EvaluationJournal* journal) : problem_(problem), journal_(journal) {}
+  Designs(const DesignProblem& problem, EvaluationJournal& journal) : problem_(problem), journal_(journal) {}
 
   /// False where the model has no result.
   bool evaluate(const std::vector<double>& values, bool with_derivatives, Design& design);
@@ -75,9 +75,8 @@ class Designs {
   void note(const Design& design);
 
   const DesignProblem& problem_;
-  EvaluationJournal* journal_;
-  std::map<std::string, std::vector<double>> known_;
-  std::map<std::string, bool> known_refusals_;
+  EvaluationJournal& journal_;
+  std::set<std::string> seen_, seen_refusals_;  ///< arguments of this run
   std::vector<RefusedDesign> refused_;
   std::vector<EvaluatedDesign> course_;
   long count_ = 0, with_derivatives_ = 0;

@@ -19,10 +19,7 @@ namespace {
 constexpr const char* kGoalGrammar = "[NAME=]min:MEASURE[:SCALE], max:MEASURE[:SCALE] or min:MEASURE~TARGET[:SCALE]";
 constexpr const char* kConstraintGrammar = "MEASURE<=LIMIT, MEASURE>=LIMIT, MEASURE==VALUE or LOW<=MEASURE<=HIGH";
 
-std::string trimmed_text(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
-}
+std::string trimmed_text(const std::string& text) { return std::string(without_blanks(text)); }
 
 /// A number at the begin of a text, and the rest, which may be a unit; none for other texts.
 std::optional<std::pair<double, std::string>> number_with_unit(const std::string& text) {
@@ -58,11 +55,11 @@ const Column& wanted_column(const MeasuredTable& table, const std::string& part,
 
 /// Reads the wanted points of a curve; the measure becomes the column along this curve.
 std::vector<double> read_points(const std::string& what, const std::string& file, const FreeModel& model,
-                                Measure& measure) {
+                                RigReports& rigs, Measure& measure) {
   if (measure.of != Measure::Of::figure && measure.of != Measure::Of::curve)
     throw UserError(fmt::format("{}: points of {} are of a rig's curve: write kc:AXLE:COLUMN\n", what, file));
   const MeasuredTable table = read_measured_table(file);
-  const KcReport report = rig_report(expect(decide(model.model)), model.arguments, measure.axle, {});
+  const KcReport& report = outline_of_rig(model, measure.axle, rigs);
   const KcTable* named = curve_named(report, measure.curve);
   const KcTable& curve = named != nullptr ? *named : curve_of_table(table, report, true);
   const Column* computed = column_of(curve, measure.part);
@@ -102,6 +99,7 @@ class WishReader {
 
   const FreeModel& model_;
   const std::vector<std::string>& manoeuvres_;
+  RigReports rigs_;
   Wishes wishes_;
 };
 
@@ -110,7 +108,7 @@ std::size_t WishReader::add_measure(const std::string& option, const std::string
   Measure measure = read_measure(option, text, model_.model, manoeuvres_);
   const std::string what = option + " " + in_quotes(text);
   if (is_table(wanted)) {
-    points = read_points(what, wanted, model_, measure);
+    points = read_points(what, wanted, model_, rigs_, measure);
     wishes_.files.push_back(wanted);
   } else if (!wanted.empty() && !number_with_unit(wanted)) {
     refuse_limit(what, wanted);

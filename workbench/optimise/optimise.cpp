@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "compiler/text/characters.hpp"
@@ -76,7 +75,7 @@ Responses start_responses(DesignProblem& problem, const std::vector<double>& sta
     const SourceValues exact =
         evaluate(source, problem.model, problem.variables, problem.measures.measures, start, true, problem.is_stopped);
     if (exact.failure.empty()) continue;
-    source.why_differences = headline(exact.failure);
+    source.why_differences = first_line(exact.failure);
     source.solver.tangents = nullptr;
   }
   Responses responses = responses_at(problem, start, false);
@@ -129,7 +128,6 @@ void read_problem(const OptimiseArguments& arguments, FreeModel& model, DesignPr
   problem.jobs = arguments.jobs;
   problem.most_evaluations = arguments.most_evaluations;
   const auto is_mode = [](const Measure& measure) { return measure.of == Measure::Of::mode; };
-  const std::string engine = model.choice.name;
   prepare(model, problem.variables, {false, std::ranges::any_of(problem.wishes.measures, is_mode)});
   if (!model.is_tuned) print_message("optimise: the model is analysed anew for each value: {}\n", model.why_not_tuned);
   problem.measures =
@@ -207,12 +205,9 @@ OptimiseResult optimise_model(const OptimiseArguments& arguments) {
   if (signals.taken() != 0) throw Interrupted{signals.taken()};
   set_numbers(before.list, problem.wishes);
   for (const Response& response : before.list) problem.lengths.push_back(response.values.size());
-  std::unique_ptr<EvaluationJournal> journal;
-  if (!arguments.journal.empty())
-    journal = std::make_unique<EvaluationJournal>(arguments.journal, "optimise", description_of(arguments, problem),
-                                                  arguments.restart);
-  if (journal && journal->known() > 0) print_message("optimise: {} evaluations were done before\n", journal->known());
-  Designs designs(problem, journal.get());
+  EvaluationJournal journal(arguments.journal, "optimise", description_of(arguments, problem), arguments.restart);
+  if (journal.known() > 0) print_message("optimise: {} evaluations were done before\n", journal.known());
+  Designs designs(problem, journal);
   OptimiseResult result{.model = model.model.name,
                         .model_file = arguments.model.path,
                         .engine = model.choice.name,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workbench/host/message.hpp"
 #include "workbench/optimise/optimise.hpp"
 #include "workbench/search/found_model.hpp"
 #include "workbench/search/result_text.hpp"
@@ -108,8 +109,7 @@ std::string refused_lines(const OptimiseResult& result) {
   const std::size_t shown = std::min(kMostRefused, result.refused.size());
   for (std::size_t k = 0; k < shown; ++k) {
     const std::string& reason = result.refused[k].reason;
-    text += fmt::format("  refused: {}: {}\n", values_text(result, result.refused[k].values),
-                        reason.substr(0, reason.find('\n')));
+    text += fmt::format("  refused: {}: {}\n", values_text(result, result.refused[k].values), first_line(reason));
   }
   if (result.refused.size() > shown)
     text += fmt::format("  refused: {} more designs without a result\n", result.refused.size() - shown);

@@ -44,9 +44,11 @@ std::vector<std::string> hashes_of_files(const std::vector<std::string>& files) 
 
 EvaluationJournal::EvaluationJournal(const std::filesystem::path& path, const std::string& command,
                                      const std::string& description, bool restart)
-    : path_(path), file_(path, command, restart) {
-  read(file_.kept(), command, description);
-  file_.begin(any_journal(command) + "1 " + description);
+    : path_(path) {
+  if (path.empty()) return;
+  file_.emplace(path, command, restart);
+  read(file_->kept(), command, description);
+  file_->begin(any_journal(command) + "1 " + description);
 }
 
 void EvaluationJournal::read(const std::string& text, const std::string& command, const std::string& description) {
@@ -78,7 +80,7 @@ const std::vector<double>* EvaluationJournal::find(const std::string& arguments)
 void EvaluationJournal::add(const std::string& arguments, const std::vector<double>& numbers) {
   std::string content = arguments + " |";
   for (const double number : numbers) content += fmt::format(" {}", number);
-  file_.append(journal_line(content));
+  if (file_) file_->append(journal_line(content));
   lines_[arguments] = numbers;
 }
 

@@ -7,6 +7,7 @@
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/host/message.hpp"
 #include "workbench/start/initial_state.hpp"
 
 namespace mbgen {
@@ -54,13 +55,11 @@ void choose_derivatives(FreeModel& model, const std::vector<Unknown>& unknowns, 
     start_motion(compilation, initial_start(compilation, inputs).state, moving);
   } catch (const UserError& error) {
     model.tangents = nullptr;
-    model.why_differences = headline(error.what());
+    model.why_differences = first_line(error.what());
   }
 }
 
 }  // namespace
-
-std::string headline(const std::string& message) { return message.substr(0, message.find('\n')); }
 
 FreeModel read_free_model(const ModelArguments& arguments) {
   FreeModel model{.arguments = arguments};
@@ -109,13 +108,11 @@ Compilation compilation_at(const FreeModel& model, const std::vector<Unknown>& u
 
 TangentEngine engine_of(const FreeModel& model, const std::vector<Unknown>& unknowns, const Compilation& compilation,
                         bool with_derivatives) {
-  if (!with_derivatives || !model.tangents)
-    return {nullptr, model.table ? make_generated_engine(model.table, compilation, model.choice)
-                                 : make_engine(compilation, model.choice)};
   std::vector<std::string> names;
   for (const Unknown& unknown : unknowns)
     if (unknown.kind == Unknown::Kind::parameter) names.push_back(unknown.name);
-  return make_tangent_engine(model.tangents, compilation, model.choice, names);
+  return make_moving_engine({model.table, with_derivatives ? model.tangents : nullptr}, compilation, model.choice,
+                            names);
 }
 
 }  // namespace mbgen

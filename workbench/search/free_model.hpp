@@ -38,9 +38,6 @@ struct FreeModel {
   std::string why_differences = {};  ///< the reason for that, of a start without derivatives
 };
 
-/// The first line of a message, as the reason why an evaluation has no result.
-std::string headline(const std::string& message);
-
 /// Reads the model. Fails: UserError.
 FreeModel read_free_model(const ModelArguments& arguments);
 

@@ -36,10 +36,8 @@ MeasureSource& source_for(const Measure& measure, const SourceArguments& argumen
 
 /// The curves of a rig reach out to their wanted abscissas.
 void reach_out(const FreeModel& model, const std::vector<Measure>& measures, MeasureSource& source) {
-  constexpr int kFewest = 3;
-  source.rig.points = kFewest;
-  const KcReport report = rig_report(expect(decide(model.model)), model.arguments, source.axle, source.rig);
-  source.rig.points = kPointsOfCurve;
+  RigReports known;
+  const KcReport& report = outline_of_rig(model, source.axle, known);
   for (const std::size_t q : source.measures) {
     double amplitude = 0;
     for (const double at : measures[q].at) amplitude = std::max(amplitude, std::abs(at));
@@ -117,11 +115,8 @@ Response curve_of(const Measure& measure, const KcReport& report) {
 
 void evaluate_rig(const MeasureSource& source, const FreeModel& model, const std::vector<Measure>& measures,
                   const Compilation& compilation, const std::function<bool()>& is_stopped, SourceValues& result) {
-  // The curves behind the last needed one are left out.
-  const KcWatch watch = [&](long done, long) {
-    return done <= static_cast<long>(kPointsOfCurve) * source.curves && !(is_stopped && is_stopped());
-  };
-  const KcReport report = rig_report(compilation, model.arguments, source.axle, source.rig, watch);
+  const KcReport report =
+      curves_of_rig(compilation, model.arguments, source.axle, source.rig, source.curves, is_stopped);
   for (const std::size_t q : source.measures)
     result.responses.push_back(measures[q].of == Measure::Of::curve ? curve_of(measures[q], report)
                                                                     : figure_of(measures[q], report));

@@ -10,6 +10,9 @@
 
 namespace mbgen {
 
+namespace {
+
+/// The report of an axle's rig where the model starts.
 KcReport rig_report(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
                     const KcSettings& settings, const KcWatch& watch) {
   StateArguments at;
@@ -17,6 +20,24 @@ KcReport rig_report(const Compilation& compilation, const ModelArguments& argume
   at.inputs = arguments.engine.inputs;
   return kinematics_and_compliance(compilation, find_axle(compilation.model, axle),
                                    operating_point(compilation, at).point, settings, watch);
+}
+
+}  // namespace
+
+const KcReport& outline_of_rig(const FreeModel& model, const std::string& axle, RigReports& known) {
+  constexpr int kFewest = 3;
+  if (!known.contains(axle))
+    known.emplace(axle, rig_report(expect(decide(model.model)), model.arguments, axle, {.points = kFewest}, {}));
+  return known.at(axle);
+}
+
+KcReport curves_of_rig(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
+                       KcSettings settings, int curves, const std::function<bool()>& is_stopped) {
+  settings.points = kPointsOfCurve;
+  const KcWatch watch = [&](long done, long) {
+    return done <= static_cast<long>(kPointsOfCurve) * curves && !(is_stopped && is_stopped());
+  };
+  return rig_report(compilation, arguments, axle, settings, watch);
 }
 
 const KcTable* curve_named(const KcReport& report, const std::string& name) {

@@ -1,6 +1,8 @@
 #pragma once
 // Curves and figures of a rig at values of the free parameters, beside a table of wanted points.
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,9 +15,16 @@ namespace mbgen {
 /// Points of a curve: enough for a cubic between them.
 constexpr int kPointsOfCurve = 41;
 
-/// The report of an axle's rig where the model starts. Fails: UserError.
-KcReport rig_report(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
-                    const KcSettings& settings, const KcWatch& watch = {});
+/// Reports of rigs at the model's values in few points, for names and units: by axle.
+using RigReports = std::map<std::string, KcReport>;
+
+/// The report of an axle, made where there is none. Fails: UserError.
+const KcReport& outline_of_rig(const FreeModel& model, const std::string& axle, RigReports& known);
+
+/// The report of a rig with kPointsOfCurve points, curves behind the first `curves` left out. is_stopped: asked at
+/// every point, may be empty. Fails: UserError.
+KcReport curves_of_rig(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
+                       KcSettings settings, int curves, const std::function<bool()>& is_stopped);
 
 /// The curve of this name, null without one.
 const KcTable* curve_named(const KcReport& report, const std::string& name);

@@ -25,24 +25,6 @@ std::vector<Mode> oscillations(const FreeModel& model, Compilation& compilation,
   return list;
 }
 
-/// Outputs of a state.
-std::vector<double> outputs_at(const Compilation& compilation, const OperatingPoint& at) {
-  const Engine engine = make_generic_engine(compilation, {});
-  engine.set_inputs(at.inputs);
-  LoadedState loaded;
-  loaded.state.z = at.z;
-  loaded.state.zd = at.zd;
-  loaded.state.x = at.x;
-  loaded.state.t = at.t;
-  loaded.tau.assign(at.z.size(), 0.0);
-  GenericDerivative derivative;
-  GenericOutputs outputs;
-  Status status = engine.accelerations(loaded, derivative);
-  if (status.ok()) status = engine.outputs(loaded, derivative, outputs);
-  if (!status.ok()) throw UserError(fmt::format("at the start: {}\n", describe(compilation, status)));
-  return outputs.y;
-}
-
 double value_of(const Measure& measure, const std::vector<Mode>& list, const std::vector<double>& outputs) {
   if (measure.of == Measure::Of::start) return outputs[static_cast<std::size_t>(measure.output)];
   if (static_cast<std::size_t>(measure.mode) > list.size())
@@ -60,7 +42,7 @@ std::vector<double> start_values(const FreeModel& model, const std::vector<Measu
   start.at = "initial";
   start.inputs = model.arguments.engine.inputs;
   const OperatingPoint at = operating_point(compilation, start).point;
-  const std::vector<double> outputs = outputs_at(compilation, at);
+  const std::vector<double> outputs = outputs_at(compilation, at, "at the start");
   const bool needs_modes =
       std::ranges::any_of(measures, [](const Measure& one) { return one.of == Measure::Of::mode; });
   const std::vector<Mode> list = needs_modes ? oscillations(model, compilation, at) : std::vector<Mode>();

@@ -328,6 +328,13 @@ TangentEngine make_tangent_engine(const std::shared_ptr<const TangentTable>& tab
   return result;
 }
 
+TangentEngine make_moving_engine(const LoadedTables& tables, const Compilation& compilation, const EngineChoice& choice,
+                                 const std::vector<std::string>& parameters) {
+  if (tables.tangents) return make_tangent_engine(tables.tangents, compilation, choice, parameters);
+  return {nullptr,
+          tables.plain ? make_generated_engine(tables.plain, compilation, choice) : make_engine(compilation, choice)};
+}
+
 std::vector<double> output_derivatives(const TangentEngine& engine) {
   if (!engine.memory) return {};
   const Memory& memory = *engine.memory;

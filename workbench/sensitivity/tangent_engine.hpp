@@ -41,6 +41,16 @@ TangentEngine make_tangent_engine(const Compilation& compilation, const EngineCh
 TangentEngine make_tangent_engine(const std::shared_ptr<const TangentTable>& table, const Compilation& compilation,
                                   const EngineChoice& choice, const std::vector<std::string>& parameters);
 
+/// Solvers that were loaded before: null for one made of the compilation, null for no derivatives.
+struct LoadedTables {
+  std::shared_ptr<const SolverTable> plain;
+  std::shared_ptr<const TangentTable> tangents;
+};
+
+/// The engine with derivatives where `tangents` is there, else one without.
+TangentEngine make_moving_engine(const LoadedTables& tables, const Compilation& compilation, const EngineChoice& choice,
+                                 const std::vector<std::string>& parameters);
+
 /// Headings of the derivatives, in the order of output_derivatives: "d(OUTPUT)/d(PARAMETER)".
 std::vector<Heading> derivative_headings(const Model& model, const std::vector<std::string>& parameters);
 

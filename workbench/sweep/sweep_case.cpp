@@ -11,6 +11,7 @@
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/assignments.hpp"
+#include "workbench/host/message.hpp"
 #include "workbench/manoeuvre/manoeuvre_run.hpp"
 #include "workbench/motion/motion_end.hpp"
 #include "workbench/motion/motion_judge.hpp"
@@ -22,8 +23,6 @@
 
 namespace mbgen {
 namespace {
-
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// Fails: UserError when the model has changed since the study was read, or cannot be read any more.
 void require_unchanged(const Study& study, const Result<Model>& of_case) {
@@ -255,12 +254,10 @@ std::optional<CaseResult> driven(const CaseTask& task, const std::function<bool(
 /// The engine of a case, with derivatives by the axes where they are asked for.
 TangentEngine engine_of_case(const Study& study, const StudySolver& solver, const Compilation& compilation,
                              bool with_derivatives) {
-  if (!with_derivatives || !solver.tangents)
-    return {nullptr, solver.table ? make_generated_engine(solver.table, compilation, study.choice)
-                                  : make_engine(compilation, study.choice)};
   std::vector<std::string> names;
   for (const SweepAxis& axis : study.grid.axes) names.push_back(axis.name);
-  return make_tangent_engine(solver.tangents, compilation, study.choice, names);
+  return make_moving_engine({solver.table, with_derivatives ? solver.tangents : nullptr}, compilation, study.choice,
+                            names);
 }
 
 }  // namespace
