@@ -140,6 +140,11 @@ std::string ConstantNames::text(const Program& program, const Node& node) {
   return node.constant == entry.constant.value ? entry.identifier : "-" + entry.identifier;
 }
 
+void ConstantNames::add_uses(const ConstantNames& copy) {
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    entries_[i].is_used = entries_[i].is_used || copy.entries_.at(i).is_used;
+}
+
 bool ConstantNames::is_arithmetic(const Entry& entry) const {
   const Op op = entry.constant.op;
   if (op != Op::add && op != Op::subtract && op != Op::multiply && op != Op::divide && op != Op::negate) return false;

@@ -41,6 +41,8 @@ class ConstantNames {
   std::vector<std::string> identifiers(const Program& program);
   /// The constant as an expression: its identifier, or the negative of it.
   std::string text(const Program& program, const Node& node);
+  /// The uses by texts that were written with a copy of these names beside each other.
+  void add_uses(const ConstantNames& copy);
   /// `constexpr double m_crank = 0.8;` for each constant that a text has used; empty without any. In programs for
   /// reading a folded one by its operation, after its operands: `constexpr double m_axle = m_beam + m_hub;  // 310.0`.
   /// scalar: doubles or floats.

@@ -12,6 +12,7 @@
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/model/inputs.hpp"
+#include "compiler/program/in_threads.hpp"
 
 namespace mbgen {
 namespace {
@@ -73,6 +74,26 @@ std::string held_table(const EmitContext& context) {
   return braced_list("  static constexpr mbgen::HeldCoordinates<kCoordinates> kHeld = ", items, ";");
 }
 
+/// The functions of the programs. constants: afterwards with the uses of all texts.
+std::vector<std::string> texts_of(const EmitContext& context, std::vector<ShapedProgram>& programs,
+                                  ConstantNames& constants) {
+  std::vector<std::string> texts(programs.size());
+  const auto write = [&](std::size_t i, ConstantNames& names) {
+    ProgramShape& shape = programs[i].shape;
+    shape.constants = &names;
+    texts[i] = (shape.laws.empty() ? "" : law_texts(context, shape.scalar, &names)) +
+               program_text(*programs[i].program, programs[i].schedule, shape);
+  };
+  if (context.options.spelling == Spelling::reading) {  // folds get their names in the order of the texts
+    for (std::size_t i = 0; i < programs.size(); ++i) write(i, constants);
+    return texts;
+  }
+  std::vector<ConstantNames> own(programs.size(), constants);
+  in_threads(programs.size(), [&](std::size_t i) { write(i, own[i]); });
+  for (const ConstantNames& names : own) constants.add_uses(names);
+  return texts;
+}
+
 }  // namespace
 
 std::string turning_table(const EmitContext& context, Scalar scalar) {
@@ -95,15 +116,14 @@ std::string turning_table(const EmitContext& context, Scalar scalar) {
 EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> programs, bool for_importers) {
   const std::string& solver = context.names.solver;
   FrameRows hot, rare, members;
-  ConstantNames constants(context.written);
   const bool is_for_reading = context.options.spelling == Spelling::reading;
   const int rare_parts = is_for_reading ? 0 : divide_file(programs, context.options.file_part_values);
-  for (ShapedProgram& shaped : programs) {
-    shaped.shape.constants = &constants;
+  ConstantNames constants(context.written);
+  const std::vector<std::string> texts = texts_of(context, programs, constants);
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const ShapedProgram& shaped = programs[i];
     FrameRows& part = shaped.shape.file_part > 0 ? rare : hot;
-    const bool has_laws = !shaped.shape.laws.empty();
-    const std::string laws = has_laws ? law_texts(context, shaped.shape.scalar, &constants) : "";
-    part.push_back({{"program", laws + program_text(*shaped.program, shaped.schedule, shaped.shape)}});
+    part.push_back({{"program", texts[i]}});
     // Dynamics::sample and take_ground call these.
     if (shaped.role != Role::sampled && shaped.role != Role::ground_places)
       members.push_back(system_member(shaped, solver + "::" + shaped.shape.result, ""));

@@ -1,4 +1,4 @@
-#include <utility>
+#include <algorithm>
 
 #include "compiler/passes/passes.hpp"
 
@@ -10,6 +10,7 @@ Program remove_dead_values(Program program) {
   for (std::size_t i = 0; i < needed.size(); ++i)
     if (needed[i] && program.nodes[i].op == Op::input)
       renumbered_input[static_cast<std::size_t>(program.nodes[i].input)] = 0;
+  if (std::ranges::count(needed, false) + std::ranges::count(renumbered_input, -1) == 0) return program;
   std::size_t inputs = 0;
   for (std::size_t i = 0; i < renumbered_input.size(); ++i) {
     if (renumbered_input[i] < 0) continue;
@@ -28,7 +29,7 @@ Program remove_dead_values(Program program) {
   }
   program.nodes.resize(count);
   for (OutputValue& output : program.outputs) output.value = renumbered[output.value];
-  return verified(std::move(program));
+  return program;
 }
 
 }  // namespace mbgen

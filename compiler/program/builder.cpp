@@ -26,7 +26,9 @@ ProgramBuilder ProgramBuilder::like(const Program& program) {
   builder.program_.samples = program.samples;
   builder.program_.sections = program.sections;
   builder.known_sections_ = {program.sections.begin(), program.sections.end()};
-  for (const NamedConstant& constant : program.constants) builder.name_constant(constant.value, constant.name);
+  builder.program_.constants.reserve(program.constants.size());
+  for (const NamedConstant& constant : program.constants)
+    builder.program_.constants.push_back({constant.name, constant.value});
   builder.program_.nodes.reserve(program.nodes.size());
   builder.shared_.reserve(program.nodes.size());
   builder.moments_.reserve(program.nodes.size());
@@ -42,13 +44,20 @@ ValueId ProgramBuilder::constant(double value, std::int32_t name) {
   return share_or_push(node);
 }
 
+void ProgramBuilder::find_names() {
+  for (; indexed_ < program_.constants.size(); ++indexed_)
+    named_[program_.constants[indexed_].name] = static_cast<std::int32_t>(indexed_);
+}
+
 std::int32_t ProgramBuilder::name_constant(double value, const std::string& name) {
   if (value == 0 || std::abs(value) == 1 || !std::isfinite(value)) return -1;
+  find_names();
   const auto found = named_.find(name);
   if (found != named_.end() && program_.constants[static_cast<std::size_t>(found->second)].value == value)
     return found->second;
   program_.constants.push_back({name, value});
-  return named_[name] = static_cast<std::int32_t>(program_.constants.size() - 1);
+  find_names();
+  return static_cast<std::int32_t>(program_.constants.size() - 1);
 }
 
 void ProgramBuilder::name_fold(std::int32_t label, const std::string& name) {
@@ -59,6 +68,7 @@ void ProgramBuilder::name_fold(std::int32_t label, const std::string& name) {
 }
 
 void ProgramBuilder::equate_folds(std::int32_t label, std::int32_t other) {
+  find_names();
   const NamedConstant& fold = program_.constants[static_cast<std::size_t>(label)];
   if (fold.is_anonymous && label != other) named_[fold.name] = other;
 }
@@ -80,19 +90,24 @@ std::int32_t ProgramBuilder::label_fold(double value, NamedConstant operation) {
   operation.name = arity(operation.op) == 1 ? fmt::format("{} {}", op_name(operation.op), operand(0))
                                             : fmt::format("{} {} {}", operand(0), op_name(operation.op), operand(1));
   if (value == 0 || std::abs(value) == 1 || !std::isfinite(value)) return -1;
+  find_names();
   const auto found = named_.find(operation.name);
   if (found != named_.end() && program_.constants[static_cast<std::size_t>(found->second)].value == value)
     return found->second;
   operation.value = value;
   operation.is_anonymous = true;
-  named_[operation.name] = static_cast<std::int32_t>(program_.constants.size());
   program_.constants.push_back(std::move(operation));
+  find_names();
   return static_cast<std::int32_t>(program_.constants.size() - 1);
 }
 
 ValueId ProgramBuilder::constant_like(const Node& node, std::span<const NamedConstant> constants) {
   if (node.label < 0) return constant(node.constant);
-  const NamedConstant& named = constants[static_cast<std::size_t>(node.label)];
+  const auto label = static_cast<std::size_t>(node.label);
+  const NamedConstant& named = constants[label];
+  const bool is_at_its_place = label < program_.constants.size() && program_.constants[label].value == named.value &&
+                               program_.constants[label].name == named.name;
+  if (is_at_its_place) return constant(node.constant, node.label);
   return constant(node.constant, name_constant(named.value, named.name));
 }
 
@@ -264,7 +279,10 @@ void ProgramBuilder::label(ValueId value, const std::string& name, const std::st
 }
 
 void ProgramBuilder::label_like(ValueId value, const Program& source, const Node& node) {
-  const auto name = [&](std::int32_t label) { return label < 0 ? "" : source.labels[static_cast<std::size_t>(label)]; };
+  static const std::string kNone;
+  const auto name = [&](std::int32_t label) -> const std::string& {
+    return label < 0 ? kNone : source.labels[static_cast<std::size_t>(label)];
+  };
   if (node.label >= 0) label(value, name(node.label), name(node.mirrored_label));
 }
 
@@ -272,16 +290,18 @@ bool ProgramBuilder::is_constant(ValueId value, double constant) const {
   return is_constant(value) && node(value).constant == constant;
 }
 
-Program ProgramBuilder::finish() {
+Program ProgramBuilder::taken() {
   Program finished = std::move(program_);
   *this = ProgramBuilder("");
-  return verified(std::move(finished));
+  return finished;
 }
+
+Program ProgramBuilder::finish() { return verified(taken()); }
 
 Program ProgramBuilder::finish_in_canonical_order() {
   const std::vector<std::uint32_t> moments = std::move(moments_);
   const std::vector<std::pair<ValueId, Node>> repeats = std::move(repeats_);
-  Program program = finish();
+  Program program = taken();
   for (const auto& [value, again] : repeats) take_first_names(again, program.nodes[value], program);
   return verified(in_canonical_order(std::move(program), moments));
 }

@@ -31,7 +31,10 @@ class NumberTable {
 
   /// Makes room for so many numbers.
   void reserve(std::size_t count) {
-    while (2 * count > slots_.size()) grow();
+    std::size_t size = slots_.size();
+    unsigned shift = shift_;
+    for (; 2 * count > size; size *= 2) --shift;
+    if (size > slots_.size()) resize(size, shift);
   }
 
  private:
@@ -47,12 +50,13 @@ class NumberTable {
     while (slots[i].number != kNone) i = next(i, slots.size());
     slots[i] = slot;
   }
-  void grow() {
-    std::vector<Slot> larger(2 * slots_.size());
+  void grow() { resize(2 * slots_.size(), shift_ - 1); }
+  void resize(std::size_t size, unsigned shift) {
+    std::vector<Slot> larger(size);
     for (const Slot& slot : slots_)
-      if (slot.number != kNone) put(larger, shift_ - 1, slot);
+      if (slot.number != kNone) put(larger, shift, slot);
     slots_ = std::move(larger);
-    --shift_;
+    shift_ = shift;
   }
 
   unsigned shift_ = 32 - kLeastBits;

@@ -116,7 +116,7 @@ struct Program {
 };
 
 /// Number of operands.
-constexpr int arity(Op op) {
+[[gnu::always_inline]] constexpr int arity(Op op) {
   switch (op) {
     case Op::constant:
     case Op::input:
@@ -212,6 +212,10 @@ class ProgramBuilder {
   bool computes_same(const Node& a, const Node& b) const;
   ValueId input(std::size_t index);
   ValueId push(const Node& node);
+  /// Enters constants that are not in named_ yet: most rewritten programs never look a name up.
+  void find_names();
+  /// The program as it stands; the builder is empty afterwards.
+  Program taken();
   Program program_;
   Spelling spelling_ = Spelling::fast;
   std::vector<std::uint32_t> moments_;  ///< per node, the statements before it: sections, owners, labels, outputs
@@ -227,9 +231,11 @@ class ProgramBuilder {
   bool knows_section_ = false;  ///< section_ is among known_sections_
   Owner owner_, mirrored_;
   std::unordered_map<std::string, std::int32_t> named_;  ///< index into Program::constants by name, last of each
+  std::size_t indexed_ = 0;                              ///< number of constants in named_
 };
 
-/// Text of the first broken invariant, empty when the program is sound. Always on: called by finish and by every pass.
+/// Text of the first broken invariant, empty when the program is sound. Always on: called by finish, so after every
+/// pass that makes values.
 std::string verify(const Program& program);
 
 /// The program itself when it is sound. Fails: std::logic_error "program <name>: <broken invariant>".

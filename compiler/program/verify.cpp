@@ -74,22 +74,24 @@ std::string verify_node(const Program& program, std::size_t value, const std::se
   return {};
 }
 
-std::string verify_slot(const char* kind, const Slot& slot, std::set<Slot>& taken) {
-  if (slot.index < 0) return fmt::format("{} {} has a negative index", kind, text_of(slot));
-  if (!taken.insert(slot).second) return fmt::format("{} {} appears twice", kind, text_of(slot));
+std::string verify_slots(const char* kind, std::vector<Slot> slots) {
+  std::ranges::sort(slots);
+  for (const Slot& slot : slots)
+    if (slot.index < 0) return fmt::format("{} {} has a negative index", kind, text_of(slot));
+  if (const auto twice = std::ranges::adjacent_find(slots); twice != slots.end())
+    return fmt::format("{} {} appears twice", kind, text_of(*twice));
   return "";
 }
 
-std::string verify_slots(const Program& program) {
-  std::set<Slot> inputs, outputs;
-  for (const Slot& slot : program.inputs) {
-    if (std::string problem = verify_slot("input", slot, inputs); !problem.empty()) return problem;
-  }
+std::string verify_ends(const Program& program) {
+  if (std::string problem = verify_slots("input", program.inputs); !problem.empty()) return problem;
+  std::vector<Slot> outputs;
+  outputs.reserve(program.outputs.size());
   for (const auto& [slot, value] : program.outputs) {
-    if (std::string problem = verify_slot("output", slot, outputs); !problem.empty()) return problem;
     if (value >= program.nodes.size()) return fmt::format("output {} has no value", text_of(slot));
+    outputs.push_back(slot);
   }
-  return "";
+  return verify_slots("output", std::move(outputs));
 }
 
 /// Pairs are packed and taken apart where they meet numbers.
@@ -121,7 +123,7 @@ std::string verify(const Program& program) {
   for (std::size_t value = 0; value < program.nodes.size(); ++value) {
     if (std::string problem = verify_node(program, value, sections, value_seen); !problem.empty()) return problem;
   }
-  if (std::string problem = verify_slots(program); !problem.empty()) return problem;
+  if (std::string problem = verify_ends(program); !problem.empty()) return problem;
   return verify_widths(program);
 }
 
