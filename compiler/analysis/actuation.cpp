@@ -1,12 +1,14 @@
 #include "compiler/analysis/actuation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
 #include "compiler/algebra/dense.hpp"
 #include "compiler/analysis/direction_names.hpp"
 #include "compiler/analysis/elimination_order.hpp"
+#include "mbgen/solver/orthonormal.hpp"
 
 namespace mbgen {
 namespace {
@@ -40,9 +42,55 @@ std::vector<double> possible_levers(const detail::ForceWork<double>& work, const
   return levers;
 }
 
-/// Rz' B at a position, without rounding of levers: directions x actuators.
-MatrixXd actuation_at(NumericSystem& numbers, const Analysis& analysis, const std::vector<double>& z,
-                      std::size_t directions) {
+/// Rz' B at a position, without rounding of levers: directions x actuators; and the smallest speed of the actuators,
+/// see Analysis::typical_actuation.
+struct ActuationAt {
+  MatrixXd matrix;
+  double smallest_speed = 0;
+};
+
+/// Rows of Rz of all coordinates, row by row: coordinates x directions.
+std::vector<double> directions_of_all(const Topology& topology, const std::vector<GroupProjection<double>>& projections,
+                                      std::size_t directions) {
+  std::vector<double> rz(topology.bodies.size() * directions, 0.0);
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < projections.size(); ++g) {
+    const auto& rows = projections[g].rz;
+    for (std::size_t c = 0; c < rows.size(); ++c)
+      std::copy(rows[c].begin(), rows[c].end(),
+                rz.begin() + static_cast<std::ptrdiff_t>(topology.groups[g].joints[c] * directions + first));
+    if (!rows.empty()) first += rows[0].size();
+  }
+  return rz;
+}
+
+double smallest_speed(const System<double>& system, const MatrixXd& actuation,
+                      const std::vector<GroupProjection<double>>& projections) {
+  const int directions = static_cast<int>(actuation.rows()), actuators = static_cast<int>(actuation.cols());
+  if (actuators < directions) return 0;
+  const std::size_t count = static_cast<std::size_t>(directions);
+  std::vector<double> rz = directions_of_all(system.topology, projections, count), r(count * count), work(count);
+  std::vector<double> speeds(static_cast<std::size_t>(actuators) * count, 0.0), along(count);
+  std::vector<int> order(count);
+  orthonormalise(system.topology.size(), directions, rz.data(), r.data(), order.data());
+  // Rows of B' Q: Q = Rz R^-1, its columns in their order.
+  for (int a = 0; a < actuators; ++a) {
+    double* const row = speeds.data() + a * directions;
+    for (int k = 0; k < directions; ++k) {
+      double value = actuation(order[static_cast<std::size_t>(k)], a);
+      for (int j = 0; j < k; ++j) value -= row[j] * r[static_cast<std::size_t>(j * directions + k)];
+      row[k] = value / r[static_cast<std::size_t>(k * directions + k)];
+    }
+  }
+  for (int a = 0; a < actuators; ++a)
+    for (int k = 0; k < directions; ++k)
+      speeds[static_cast<std::size_t>(a * directions + k)] /=
+          std::sqrt(system.model.actuators[static_cast<std::size_t>(a)].weight);
+  return orthonormalise(actuators, directions, speeds.data(), r.data(), order.data());
+}
+
+ActuationAt actuation_at(NumericSystem& numbers, const Analysis& analysis, const std::vector<double>& z,
+                         std::size_t directions) {
   System<double>& system = numbers.at(z);
   const Kinematics<double> k = kinematics(system);
   const Velocities<double> v = velocities(system, k);
@@ -56,6 +104,7 @@ MatrixXd actuation_at(NumericSystem& numbers, const Analysis& analysis, const st
   AppliedForces<double> none;
   none.about = v.about;
   const detail::ForceWork<double> work{system, k, v, none};
+  const std::vector<GroupProjection<double>> signed_ones = projections;
   for (GroupProjection<double>& projection : projections)
     for (std::vector<double>& row : projection.rz)
       for (double& entry : row) entry = std::abs(entry);
@@ -66,7 +115,8 @@ MatrixXd actuation_at(NumericSystem& numbers, const Analysis& analysis, const st
     for (Index q = 0; q < matrix.rows(); ++q)
       if (std::abs(matrix(q, a)) <= kNoLever * possible[static_cast<std::size_t>(q)]) matrix(q, a) = 0;
   }
-  return matrix;
+  const double smallest = smallest_speed(system, matrix, signed_ones);
+  return {std::move(matrix), smallest};
 }
 
 /// Columns, then rows, of largest entry 1; zeros stay.
@@ -120,6 +170,14 @@ std::vector<int> directions_without_force(const std::vector<MatrixXd>& matrices,
   return left;
 }
 
+/// The median, 0 of nothing.
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// The free directions and those of motions that actuators give.
 ActuatedDirections directions_of(const Model& model, const Topology& topology, const Analysis& analysis) {
   ActuatedDirections directions{{analysis.blocks.begin(), analysis.blocks.end()}, analysis.driven};
@@ -141,6 +199,7 @@ ActuatedDirections directions_of(const Model& model, const Topology& topology, c
 
 void set_actuation(NumericSystem& numbers, const std::vector<Configuration>& configurations, Analysis& analysis) {
   analysis.actuation = {};
+  analysis.typical_actuation = 0;
   analysis.unactuated.clear();
   const Model& model = numbers.model();
   if (model.actuators.empty()) return;
@@ -154,16 +213,21 @@ void set_actuation(NumericSystem& numbers, const std::vector<Configuration>& con
     return;
   }
   std::vector<MatrixXd> all, regular;
+  std::vector<double> speeds;
   for (const Configuration& configuration : configurations) {
     if (std::find(configuration.closed.begin(), configuration.closed.end(), false) != configuration.closed.end())
       continue;
-    all.push_back(actuation_at(numbers, analysis, configuration.z, names.size()));
-    if (leading_columns(of_like_size(all.back()), kNoForce).size() == names.size()) regular.push_back(all.back());
+    ActuationAt at = actuation_at(numbers, analysis, configuration.z, names.size());
+    all.push_back(std::move(at.matrix));
+    if (leading_columns(of_like_size(all.back()), kNoForce).size() != names.size()) continue;
+    regular.push_back(all.back());
+    if (std::isfinite(at.smallest_speed)) speeds.push_back(at.smallest_speed);
   }
   if (regular.empty()) {
     analysis.unactuated = directions_without_force(all, names);
     return;
   }
+  analysis.typical_actuation = median(std::move(speeds));
   Candidate candidate;
   candidate.rows.resize(names.size());
   std::iota(candidate.rows.begin(), candidate.rows.end(), 0);

@@ -156,9 +156,9 @@ void each_field(Bytes& bytes, Of<Bytes, BlockAnalysis>& value) {
 template <class Bytes>
 void each_field(Bytes& bytes, Of<Bytes, Analysis>& value) {
   auto& [closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, directions, actuation,
-         unactuated] = value;
+         typical_actuation, unactuated] = value;
   take_all(bytes, closed, independent, ranks, freedoms, position_freedoms, blocks, driven, motion_of, directions,
-           actuation, unactuated);
+           actuation, typical_actuation, unactuated);
 }
 
 }  // namespace

@@ -101,6 +101,9 @@ struct Analysis {
   /// Pivots of Rz' B: equations are directions (actuated_coordinates), coordinates actuators. Its independent columns
   /// are actuators beyond the ones that move every direction.
   LoopPartition actuation;
+  /// Smallest speed of the actuators, the root of its weighted sum of squares, for free motions with rates of which the
+  /// root of the sum of squares is 1; the median over all configurations in which actuators move every direction.
+  double typical_actuation = 0;
   std::vector<int> unactuated;  ///< tree coordinates that name directions which no actuator moves alone
 };
 

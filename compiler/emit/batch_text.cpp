@@ -51,7 +51,8 @@ std::string batch_text(const EmitContext& context, const std::vector<ShapedProgr
   ConstantNames constants(context.written);
   for (const ShapedProgram& scalar : scalars) {
     if (scalar.role == Role::closure_terms || scalar.role == Role::accelerations_chosen ||
-        scalar.role == Role::sampled || scalar.role == Role::ground_places)
+        scalar.role == Role::sampled || scalar.role == Role::ground_places || scalar.role == Role::actuators ||
+        scalar.role == Role::required_forces)
       continue;  // of lanes that are alone
     ShapedProgram shaped = in_lanes(context, scalar);
     shaped.shape.constants = &constants;

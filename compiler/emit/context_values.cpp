@@ -43,18 +43,6 @@ std::vector<std::string> ground_inputs(const Model& model) {
                 [&](int tyre) { return std::to_string(model.roads[model.tyres[tyre].road].host_input); });
 }
 
-/// Whether positions of the actuators determine all coordinates: each acts on a coordinate of its own, by a constant
-/// gear, and other partitions of the loops can be factorised at run time.
-bool completes_joints(const EmitContext& context) {
-  const SolverLayout& layout = context.layout;
-  const bool are_on_coordinates = std::ranges::all_of(context.model.actuators, [](const Actuator& actuator) {
-    return actuator.joint && !actuator.relative_to && actuator.gear.expression < 0;
-  });
-  return layout.actuators > 0 && layout.actuators == layout.free_directions &&
-         layout.actuated_directions == layout.free_directions && are_on_coordinates &&
-         (layout.blocks.empty() ? layout.drives == 0 : layout.chooses_again);
-}
-
 /// Values for the names that every frame may use.
 FrameValues context_values(const EmitContext& context) {
   const SolverNames& names = context.names;
@@ -87,7 +75,8 @@ FrameValues context_values(const EmitContext& context) {
           {"grounds", layout.grounds > 0 ? std::to_string(layout.grounds) : ""},
           {"ground_inputs", array_text("  static constexpr int kFirstInput", ground_inputs(context.model), "0")},
           {"actuators", layout.actuators > 0 ? std::to_string(layout.actuators) : ""},
-          {"completes", completes_joints(context)},
+          {"completes", layout.maps_actuators},
+          {"pivots_actuators", layout.pivots_actuators},
           {"held_count", layout.held},
           {"first_held", layout.auxiliary_states - layout.held},
           {"period_table", array_text("  static constexpr double kPeriods", period_items(context.model), "0")},

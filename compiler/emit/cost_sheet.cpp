@@ -66,6 +66,36 @@ CallCount worst_step(const EmitContext& context, CallCount most, CallCount regul
   return {evaluations, regular.projections * 2 + evaluations / 2, most.matrices};
 }
 
+/// Inverse dynamics, and the maps between motors and joints: closures and factorisations at pivots chosen at run time.
+void add_actuator_calls(const EmitContext& context, const CostJson& programs, CostJson& calls) {
+  const auto add = [&](const char* function, const char* title, long closures, long factorisations, long operations) {
+    const bool has_loops = !context.layout.blocks.empty();
+    calls.push_back({{"function", function},
+                     {"case", title},
+                     {"accelerations", 0},
+                     {"projections", 0},
+                     {"closures", has_loops ? closures : 0},
+                     {"factorisations", has_loops ? factorisations : 0},
+                     {"operations", operations}});
+  };
+  const auto operations = [&](const char* program) { return operations_of(programs, program); };
+  if (context.layout.actuators == 0) return;
+  const long regular = operations("inverse_dynamics");
+  const long look = operations("closure_terms") + operations("actuators");
+  add("inverse_dynamics", "regular", 0, 0, regular);
+  if (context.layout.pivots_actuators)
+    add("inverse_dynamics", "worst", 2, 2,
+        regular + look + operations("closure_terms") + operations("required_forces"));
+  if (!context.layout.maps_actuators) return;
+  const long driven = context.layout.drives > 0 ? operations("closure") : 0;
+  add("complete_joints", "worst", kMostClosures, kMostClosures,
+      kMostClosures * (look + driven) + operations("actuators"));
+  add("actuator_positions", "regular", 0, 0, operations("actuators"));
+  for (const char* function :
+       {"complete_accelerations", "actuator_jacobian", "forces_at_actuators", "forces_at_independent"})
+    add(function, "regular", 1, 1, look);
+}
+
 CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   constexpr CallCount kEvaluation = {1, 0}, kProjection = {0, 1};
   CostJson calls = CostJson::array();
@@ -86,10 +116,7 @@ CostJson calls_json(const EmitContext& context, const CostJson& programs) {
   add_step("step_rk4", kRk4Calls, kRk4Evaluations);
   add("step_abm4", "starting", kAbm4Calls.starting, Hardness::regular);
   add_step("step_abm4", kAbm4Calls, kAbm4Evaluations);
-  if (context.layout.actuators > 0) {
-    calls.push_back(call_json(context, programs, "inverse_dynamics", "regular", {}, Hardness::regular));
-    calls.back()["operations"] = operations_of(programs, "inverse_dynamics");
-  }
+  add_actuator_calls(context, programs, calls);
   if (context.model.solver.is_implicit()) add_step("step_rosenbrock", kRosenbrockCalls, kRosenbrockEvaluations);
   return calls;
 }

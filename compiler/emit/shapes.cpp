@@ -27,6 +27,10 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::drive, "generalised driving forces"},
     {Array::force, "of each actuator"},
     {Array::actuation, "pivots of the actuators over their references"},
+    {Array::position, "of each actuator's motor"},
+    {Array::direction, "generalised forces for a unit force of each actuator, row by row"},
+    {Array::drift, "acceleration of each motor where no coordinate accelerates"},
+    {Array::required, "generalised forces of the tree"},
     {Array::residual, "of every closure equation, block after block, then of every motion"},
     {Array::pivot, "smallest pivot of each block over its reference"},
     {Array::inertia, "pivots of the final equations"},
@@ -42,7 +46,8 @@ constexpr std::pair<Array, const char*> kMembers[] = {
 /// Whether the array has one number per coordinate, at the coordinate's name.
 bool is_by_coordinate(Array array) {
   using enum Array;
-  return array == z || array == zd || array == zdd || array == dz || array == driven_acceleration || array == tau;
+  return array == z || array == zd || array == zdd || array == dz || array == driven_acceleration || array == tau ||
+         array == required;
 }
 
 Texts around(const std::string& before, const std::vector<std::string>& names, const std::string& after = "") {
@@ -122,13 +127,17 @@ constexpr ShapeRow kShapes[] = {
      "Values that hold between instants, after the values that are due."},
     {Role::ground_places, "ground_places", "GroundPlaces", "Places below the wheels on ground of the host."},
     {Role::inverse_dynamics, "inverse_dynamics", "InverseDynamics",
-     "Forces of the actuators for given accelerations of the independent coordinates."}};
+     "Forces of the actuators for given accelerations of the independent coordinates."},
+    {Role::actuators, "actuators", "ActuatorTerms", "Positions and directions of the actuators, and their drifts."},
+    {Role::required_forces, "required_forces", "RequiredForces",
+     "Forces of the tree that accelerations need, without those of the actuators."}};
 
 /// Whether a solver has the program: programs of closures are left out if there is nothing to close.
 bool is_written(Role role, const EmitContext& context) {
   const SolverLayout& layout = context.layout;
   if (role == Role::derived_constants) return derived_constant_count(context.programs) > 0;
-  if (role == Role::tangents || role == Role::changes || role == Role::inverse_dynamics)
+  if (role == Role::tangents || role == Role::changes || role == Role::inverse_dynamics || role == Role::actuators ||
+      role == Role::required_forces)
     return !program_of(context.programs, role).outputs.empty();
   if (role == Role::closure || role == Role::multipliers) return layout.has_closure;
   if (role == Role::sampled) return layout.sampled > 0;

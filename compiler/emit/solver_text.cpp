@@ -19,7 +19,8 @@ namespace {
 
 bool runs_rarely(Role role) {
   return role == Role::multipliers || role == Role::closure_terms || role == Role::accelerations_chosen ||
-         role == Role::outputs || role == Role::inverse_dynamics;
+         role == Role::outputs || role == Role::inverse_dynamics || role == Role::actuators ||
+         role == Role::required_forces;
 }
 
 /// Assigns rarely used programs to the parts 1, 2, ... of the file, each with at least so many values; the rest of the

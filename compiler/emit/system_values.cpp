@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "compiler/emit/mapped.hpp"
 #include "compiler/emit/text.hpp"
 #include "compiler/model/auxiliary_states.hpp"
@@ -61,15 +63,11 @@ std::vector<int> drive_coordinates(const EmitContext& context) {
                 [&](const Motion& motion) { return tree_coordinate(context.topology, motion.joint); });
 }
 
-std::vector<int> actuated_coordinates(const EmitContext& context) {
+/// One over the root of each actuator's weight.
+Items actuator_scales(const EmitContext& context) {
   return mapped(context.model.actuators, [&](const Actuator& actuator) {
-    return actuator.joint ? tree_coordinate(context.topology, *actuator.joint) : -1;
+    return number_text(1 / std::sqrt(actuator.weight), context.options.scalar);
   });
-}
-
-std::vector<std::string> gear_items(const EmitContext& context) {
-  return mapped(context.model.actuators,
-                [&](const Actuator& actuator) { return number_text(actuator.gear.value, context.options.scalar); });
 }
 
 /// Place of each parameter or input in its struct, for messages on values that are not finite.
@@ -180,8 +178,8 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
            table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},
           {"parameter_members", member_table(scalar, "Parameters", "kParameterMember", names.parameters)},
           {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
-          {"actuated_coordinate", table("int", "kActuatedCoordinate", items_of(actuated_coordinates(context)))},
-          {"gear", table(name_of(plain(context.options.scalar)), "kGear", gear_items(context))},
+          {"actuator_scale", table(name_of(plain(context.options.scalar)), "kActuatorScale", actuator_scales(context))},
+          {"typical_actuation", number_text(context.analysis.typical_actuation)},
           {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
           {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
           {"late_equation", table("unsigned char", "kLateEquation", items_of(late))},

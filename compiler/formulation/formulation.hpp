@@ -8,7 +8,7 @@
 #include "compiler/formulation/driven.hpp"
 #include "compiler/formulation/dynamics.hpp"
 #include "compiler/formulation/inertia.hpp"
-#include "compiler/formulation/inverse_dynamics.hpp"
+#include "compiler/formulation/actuators_seen.hpp"
 #include "compiler/formulation/kinematics.hpp"
 #include "compiler/formulation/layout.hpp"
 #include "compiler/formulation/loop_solution.hpp"

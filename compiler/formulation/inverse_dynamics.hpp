@@ -18,6 +18,23 @@ struct InverseDynamics {
 
 namespace detail {
 
+/// While it lives the inputs of actuators are zero.
+template <class T>
+class SilentActuators {
+ public:
+  explicit SilentActuators(System<T>& system) : inputs_(system.environment.inputs), before_(inputs_) {
+    for (const Actuator& actuator : system.model.actuators)
+      if (actuator.input >= 0) inputs_[actuator.input] = T(0.0);
+  }
+  SilentActuators(const SilentActuators&) = delete;
+  SilentActuators& operator=(const SilentActuators&) = delete;
+  ~SilentActuators() { inputs_ = std::move(before_); }
+
+ private:
+  std::vector<T>& inputs_;
+  std::vector<T> before_;
+};
+
 /// Accelerations with the prescribed ones of all motions in their places, of held coordinates and of coordinates with a
 /// motion that actuators give.
 template <class T>
@@ -154,9 +171,7 @@ template <class T>
 InverseDynamics<T> inverse_dynamics(System<T>& system, const ActuatedDirections& directions,
                                     const LoopPartition& actuators, const std::vector<T>& given,
                                     const std::vector<T>& tau) {
-  const std::vector<T> inputs = system.environment.inputs;
-  for (const Actuator& actuator : system.model.actuators)
-    if (actuator.input >= 0) system.environment.inputs[actuator.input] = T(0.0);
+  const detail::SilentActuators<T> silent(system);
   const auto in = [&](Step step, const auto& work) {
     const auto scope = system.annotator.step(step);
     return work();
@@ -193,7 +208,6 @@ InverseDynamics<T> inverse_dynamics(System<T>& system, const ActuatedDirections&
   }
   for (std::size_t i = 0; i < count; ++i)
     system.annotator.name(result.force[i], "actuation_", system.model.actuators[i].name);
-  system.environment.inputs = inputs;
   return result;
 }
 

@@ -15,6 +15,8 @@ enum class Array : std::uint8_t {
   c,                    ///< right-hand side of a block's accelerations: Phi_z zdd = c
   charts,               ///< of balls, 0 or 1: mbgen/charts.hpp
   derived,              ///< constants that follow from tunable parameters
+  direction,            ///< of the tree's forces for a unit force of each actuator, row by row
+  drift,                ///< acceleration of each actuator's motor where no coordinate accelerates
   drive,                ///< generalised driving force of a motion
   driven_acceleration,  ///< of driven coordinates, by their motions
   due,                  ///< of sampled values, 1 where its instant is now, else 0
@@ -32,8 +34,10 @@ enum class Array : std::uint8_t {
   par,                  ///< tunable parameters
   pivot,                ///< smallest pivot of each block over its reference
   place,                ///< of wheels on ground of a host: x and y of each
+  position,             ///< of each actuator's motor
   power,                ///< of the applied forces
   rate,                 ///< Phi_z zd of a block
+  required,             ///< forces of the tree that accelerations need, per coordinate
   residual,             ///< of all closure equations, then of the motions
   seed,                 ///< entries of a direction, see differentiate
   step,                 ///< of the implicit equations, the method's factor times the step, s

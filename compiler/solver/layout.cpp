@@ -11,6 +11,17 @@
 
 namespace mbgen {
 
+namespace {
+
+/// Whether maps between motors and joints are functions: other pivots of the loops can be chosen at run time, and no
+/// motion stands in for a direction of the actuators.
+bool maps_actuators(const SolverLayout& layout, bool has_blocks) {
+  return layout.actuators > 0 && layout.actuated_directions == layout.free_directions && layout.free_directions > 0 &&
+         (has_blocks ? layout.chooses_again : layout.drives == 0);
+}
+
+}  // namespace
+
 SolverLayout solver_layout(const Model& model, const Topology& topology, const Analysis& analysis) {
   SolverLayout layout;
   layout.coordinates = topology.size();
@@ -32,6 +43,9 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   }
   layout.has_closure = !topology.loops.empty() || !model.motions.empty();
   layout.chooses_again = chooses_again(topology);
+  const bool has_blocks = !topology.blocks.empty();
+  layout.maps_actuators = maps_actuators(layout, has_blocks);
+  layout.pivots_actuators = layout.maps_actuators && (has_blocks || layout.actuators > layout.actuated_directions);
   for (std::size_t b = 0; b < topology.blocks.size(); ++b) {
     BlockPlaces block;
     block.equations = topology.blocks[b].equations;
@@ -54,7 +68,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
 int size_of(const SolverLayout& layout, Array array) {
   using enum Array;
   const std::pair<std::vector<Array>, int> sizes[] = {
-      {{z, zd, zdd, dz, driven_acceleration, tau}, layout.coordinates},
+      {{z, zd, zdd, dz, driven_acceleration, tau, required}, layout.coordinates},
       {{x, xd}, layout.auxiliary_states},
       {{due}, layout.sampled},
       {{held}, layout.held},
@@ -68,7 +82,8 @@ int size_of(const SolverLayout& layout, Array array) {
       {{pivot}, static_cast<int>(layout.blocks.size())},
       {{inertia}, layout.free_directions},
       {{actuation}, layout.actuated_directions},
-      {{force}, layout.actuators},
+      {{force, position, drift}, layout.actuators},
+      {{direction}, layout.actuators * layout.coordinates},
       {{state_pivot}, layout.own_states},
       {{in}, layout.inputs},
       {{par}, layout.parameters},

@@ -22,13 +22,15 @@ struct SolverLayout {
   int coordinates = 0, auxiliary_states = 0, equations = 0, drives = 0;
   int inputs = 0, parameters = 0, outputs = 0;  ///< of the model; the tunable parameters only
   int free_directions = 0;
-  int actuators = 0;          ///< with inverse dynamics
+  int actuators = 0;  ///< with inverse dynamics
   int actuated_directions = 0;
-  int balls = 0;              ///< with charts
-  int own_states = 0;         ///< auxiliary states of the user's own
-  int sampled = 0, held = 0;  ///< sampled values; the last auxiliary states, which these are and wait in
-  int grounds = 0;            ///< wheels on ground of a host
-  int rope_places = 0;        ///< see rope_place_names
+  bool maps_actuators = false;    ///< functions from motors to joints and back, see maps_actuators
+  bool pivots_actuators = false;  ///< inverse dynamics may choose other pivots at run time
+  int balls = 0;                  ///< with charts
+  int own_states = 0;             ///< auxiliary states of the user's own
+  int sampled = 0, held = 0;      ///< sampled values; the last auxiliary states, which these are and wait in
+  int grounds = 0;                ///< wheels on ground of a host
+  int rope_places = 0;            ///< see rope_place_names
   int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
   bool has_closure = false;   ///< loops or motions
   bool chooses_again = true;  ///< another partition at run time; see analysis.hpp

@@ -10,10 +10,13 @@
 namespace mbgen {
 namespace {
 
-constexpr Program Programs::*kMembers[] = {
-    &Programs::accelerations, &Programs::closure, &Programs::closure_terms,    &Programs::accelerations_chosen,
-    &Programs::multipliers,   &Programs::outputs, &Programs::sampled,          &Programs::ground_places,
-    &Programs::tangents,      &Programs::changes, &Programs::inverse_dynamics, &Programs::derived_constants};
+constexpr Program Programs::*kMembers[] = {&Programs::accelerations,    &Programs::closure,
+                                           &Programs::closure_terms,    &Programs::accelerations_chosen,
+                                           &Programs::multipliers,      &Programs::outputs,
+                                           &Programs::sampled,          &Programs::ground_places,
+                                           &Programs::tangents,         &Programs::changes,
+                                           &Programs::inverse_dynamics, &Programs::actuators,
+                                           &Programs::required_forces,  &Programs::derived_constants};
 
 void verify_slot(const ProgramSpec& spec, const std::vector<Array>& allowed, const Slot& slot) {
   if (std::ranges::find(allowed, slot.group.array) == allowed.end())
@@ -63,6 +66,8 @@ const std::vector<ProgramSpec>& program_specs() {
        "inverse_dynamics",
        {z, zd, x, t, tau, in, par, derived, charts, zdd},
        {zdd, force, pivot, actuation}},
+      {Role::actuators, "actuators", {z, zd, x, t, in, par, derived, charts}, {position, direction, drift}},
+      {Role::required_forces, "required_forces", {z, zd, x, t, tau, in, par, derived, charts, zdd}, {required}},
       {Role::derived_constants, "derived_constants", {par}, {derived}}};
   return kSpecs;
 }
@@ -78,9 +83,10 @@ const Program& program_of(const Programs& programs, Role role) {
 }
 
 std::vector<Program*> solver_programs(Programs& programs) {
-  return {&programs.accelerations, &programs.closure, &programs.closure_terms,   &programs.accelerations_chosen,
-          &programs.multipliers,   &programs.outputs, &programs.sampled,         &programs.ground_places,
-          &programs.tangents,      &programs.changes, &programs.inverse_dynamics};
+  return {&programs.accelerations,  &programs.closure, &programs.closure_terms,    &programs.accelerations_chosen,
+          &programs.multipliers,    &programs.outputs, &programs.sampled,          &programs.ground_places,
+          &programs.tangents,       &programs.changes, &programs.inverse_dynamics, &programs.actuators,
+          &programs.required_forces};
 }
 
 std::vector<Program*> solver_programs(WholePrograms& whole) {

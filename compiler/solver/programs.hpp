@@ -33,6 +33,8 @@ enum class Role : std::uint8_t {
   tangents,              ///< matrix of an implicit step, factorised; only for an implicit integrator
   changes,               ///< that solve the equations of an implicit step; only for an implicit integrator
   inverse_dynamics,      ///< forces of actuators at given accelerations; only where actuators move every direction
+  actuators,             ///< positions and directions of actuators; only where their maps are functions
+  required_forces,       ///< of the tree at given accelerations; only where inverse dynamics may choose other pivots
   derived_constants      ///< constants of the others that depend on tunable parameters; only with such constants
 };
 
@@ -92,7 +94,7 @@ struct AlikeInputs {
 /// One program per role; a program that the model does not need is empty.
 struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
-      tangents, changes, inverse_dynamics, derived_constants;
+      tangents, changes, inverse_dynamics, actuators, required_forces, derived_constants;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
 };
 

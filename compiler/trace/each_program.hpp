@@ -66,6 +66,14 @@ Program trace_ground_places(const Model& model, const Topology& topology, const 
 Program trace_inverse_dynamics(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
                                Spelling spelling = Spelling::fast);
 
+/// Positions and directions of the actuators, and their drifts.
+Program trace_actuators(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                        Spelling spelling = Spelling::fast);
+
+/// Forces of the tree that given accelerations need, without those of the actuators.
+Program trace_required_forces(const Model& model, const Topology& topology, const Analysis& analysis, Form form,
+                              Spelling spelling = Spelling::fast);
+
 /// The equations of an implicit step, and the changes that solve them. Entries that are constants stay in the programs.
 struct ImplicitPrograms {
   Program tangents, changes;

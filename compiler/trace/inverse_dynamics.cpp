@@ -19,4 +19,27 @@ Program trace_inverse_dynamics(const Model& model, const Topology& topology, con
   return tracing.builder.finish_in_canonical_order();
 }
 
+Program trace_actuators(const Model& model, const Topology& topology, const Analysis& analysis, Form,
+                        Spelling spelling) {
+  Tracing tracing(Role::actuators, model, topology, analysis, Form::matrix, {}, spelling);
+  const ActuatorsSeen<Expr> seen = tracing.in(Step::velocities, [&] { return actuators_seen(tracing.system); });
+  tracing.outputs(Array::position, seen.position);
+  tracing.outputs(Array::drift, seen.drift);
+  for (std::size_t i = 0; i < seen.direction.size(); ++i)
+    for (int c = 0; c < tracing.size(); ++c)
+      if (!is_zero(seen.direction[i][c]))
+        tracing.output(Array::direction, static_cast<int>(i) * tracing.size() + c, seen.direction[i][c]);
+  return tracing.builder.finish_in_canonical_order();
+}
+
+Program trace_required_forces(const Model& model, const Topology& topology, const Analysis& analysis, Form,
+                              Spelling spelling) {
+  Tracing tracing(Role::required_forces, model, topology, analysis, Form::matrix, {}, spelling);
+  const std::vector<Expr> given = tracing.inputs(Array::zdd, tracing.size());
+  const std::vector<Expr> tau = tracing.inputs(Array::tau, tracing.size());
+  tracing.outputs(Array::required,
+                  tracing.in(Step::accelerations, [&] { return required_forces(tracing.system, given, tau); }));
+  return tracing.builder.finish_in_canonical_order();
+}
+
 }  // namespace mbgen

@@ -6,6 +6,7 @@
 
 #include "compiler/model/tyres.hpp"
 #include "compiler/program/in_threads.hpp"
+#include "compiler/solver/layout.hpp"
 #include "compiler/trace/each_program.hpp"
 
 namespace mbgen {
@@ -46,6 +47,9 @@ void add_other_traces(const Model& model, const Topology& topology, const Analys
   add(trace_outputs, programs.outputs);
   if (!model.sampled.empty()) add(trace_sampled, programs.sampled);
   if (has_inverse_dynamics(model, topology, analysis)) add(trace_inverse_dynamics, programs.inverse_dynamics);
+  const SolverLayout layout = solver_layout(model, topology, analysis);
+  if (layout.maps_actuators) add(trace_actuators, programs.actuators);
+  if (layout.pivots_actuators) add(trace_required_forces, programs.required_forces);
   if (!tyres_on_host(model).empty()) add(trace_ground_places, programs.ground_places);
 }
 

@@ -26,6 +26,17 @@ TEST_F(InversePath, ForcesAlongAPathMoveTheModelAlongIt) {
   EXPECT_NE(run.out.find("ankle_b.power [W]"), std::string::npos) << run.out;
   const Table forces = table("forces.csv");
   ASSERT_EQ(forces.rows.size(), 501u);
+  // A MAT file has the same numbers, bit for bit.
+  ASSERT_EQ(mbgen("simulate '" + ankle + "' --inverse --path path.csv --step 1e-3 --engine generic --out forces.mat")
+                .exit_code,
+            0);
+  const std::string mat = read("forces.mat");
+  EXPECT_GE(mat.size(), 501 * forces.rows[0].size() * sizeof(double));
+  for (const char* column : {"t [s]", "actuator.ankle_a.force [N m]", "actuator.ankle_b.power [W]"}) {
+    const double number = forces.last(column);
+    EXPECT_NE(mat.find(std::string(reinterpret_cast<const char*>(&number), sizeof number)), std::string::npos)
+        << column;
+  }
   std::string inputs = "t,ankle_a,ankle_b\n";
   for (std::size_t row = 0; row < forces.rows.size(); ++row) {
     const double force = forces.at(row, "actuator.ankle_a.force [N m]");

@@ -327,5 +327,18 @@ TEST(ImportClosing, AUniversalConstraintIsCardansJoint) {
     EXPECT_NEAR(std::tan(state.z[index_of(m, "z1")]), 0.8 * std::tan(state.z[index_of(m, "z2")]), 1e-9);
 }
 
+/// The far eye of the coupler is turned by 3 mrad about x: tilted, the axis of the tip would hold the planar loop.
+TEST(ImportClosing, AnAxisThatIsHardlyTiltedBecomesParallel) {
+  std::string text = content_of(source_path("tests/import/two_parents.urdf")).value();
+  const std::string eye = "<origin xyz=\"0.3 0 0\"/><parent link=\"coupler\"/>";
+  text.replace(text.find(eye), eye.size(), "<origin xyz=\"0.3 0 0\" rpy=\"0.003 0 0\"/><parent link=\"coupler\"/>");
+  ImportRequest request = request_of("tilted.urdf", text);
+  request.loops = content_of(source_path("tests/import/two_parents_loops.json")).value();
+  const ImportedModel model = imported_text(request);
+  EXPECT_TRUE(has_note(model, "axis of joint \"tip\" is turned by 0.003 rad, parallel to all other axes"));
+  const Mechanism m = mechanism_of(model.json);
+  EXPECT_EQ(free_coordinates(m.topology, m.analysis).size(), 1u);
+}
+
 }  // namespace
 }  // namespace mbgen

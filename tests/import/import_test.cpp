@@ -106,7 +106,7 @@ TEST(ImportUrdf, NamesBecomeValidAndStayApart) {
 TEST(ImportMjcf, TellsWhatItLeavesOut) {
   const ImportedModel model = imported("walker.xml");
   EXPECT_TRUE(has_note(model, "<light> not carried over"));
-  EXPECT_TRUE(has_note(model, "actuator with a range: it is not enforced"));
+  EXPECT_TRUE(has_note(model, "motor with a range: a limit that is told and not enforced"));
   EXPECT_TRUE(has_note(model, "joint with a range (2 of them): limits are not enforced"));
   EXPECT_TRUE(has_note(model, "<sensor> not carried over"));
   EXPECT_EQ(model.files, (std::vector<std::string>{"walker.xml", "walker_parts.xml"}));

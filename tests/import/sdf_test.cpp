@@ -193,5 +193,52 @@ TEST(ImportSdf, TellsWhatItLeavesOut) {
   EXPECT_TRUE(read_model(model.json, "rover.json"));
 }
 
+/// The four-bar in a file of its own, placed back and forth.
+TEST(ImportSdf, AnIncludedModelKeepsItsPlaces) {
+  const std::string linkage = content_of(source_path("tests/import/four_bar.sdf")).value();
+  ImportRequest request = request_of("robots/cell.sdf",
+                                     "<sdf version='1.9'><model name='cell'><pose>-1 2 0 0 0 0</pose><include "
+                                     "merge='true'><uri>model://linkage</uri><pose>1 -2 0 0 0 0</pose></include>"
+                                     "</model></sdf>");
+  request.read = [&](const std::string& path) {
+    return path == "linkage/model.sdf" ? std::optional(linkage) : std::nullopt;
+  };
+  const ImportedModel model = imported_text(request);
+  EXPECT_EQ(model.files, (std::vector<std::string>{"robots/cell.sdf", "linkage/model.sdf"}));
+  expect_four_bar_of_models(mechanism_of(model.json));
+}
+
+/// A pendulum two models deep, turned and placed by a frame, falls as one about its place: m g c sin = (I + m c^2) zdd.
+TEST(ImportSdf, NestedModelsAreTakenIntoOne) {
+  const Mechanism m = mechanism_of(
+      imported_sdf("<model name='arm' placement_frame='mount'><pose>1 0 0 0 0 1.5707963267948966</pose>"
+                   "<frame name='mount'><pose>0 0 3 0 0 0</pose></frame><model name='inner'><pose "
+                   "relative_to='mount'>0.2 0 0 0 0 0</pose>" +
+                   sdf_link("rod", "0 0.1 0 0 0 0", 2, "0.4 0 0", 0.05) +
+                   "</model><joint name='pin' type='revolute'><parent>world</parent><child>inner::rod</child><axis>"
+                   "<xyz expressed_in='__model__'>0 1 0</xyz></axis></joint></model>")
+          .json);
+  ASSERT_EQ(m.topology.size(), 1);
+  EXPECT_NEAR(at_rest(m, {})[0], 2 * 9.81 * 0.4 / (0.05 + 2 * 0.16), 1e-12);
+  ASSERT_EQ(m.model.bodies.size(), 2u);
+  EXPECT_EQ(m.model.bodies[1].name, "arm__inner__rod");
+  ASSERT_TRUE(m.model.bodies[1].pose);
+}
+
+TEST(ImportSdf, MeshesBesideTheFileAreBoxes) {
+  ImportRequest request = request_of(
+      "robots/cell.sdf",
+      "<sdf version='1.9'><model name='m'><link name='l'><visual name='v'><pose>0 0 1 0 0 0</pose><geometry><mesh>"
+      "<uri>model://parts/meshes/a.stl</uri><scale>2 1 1</scale></mesh></geometry></visual></link></model></sdf>");
+  request.read = [&](const std::string& path) -> std::optional<std::string> {
+    if (path != "robots/../parts/meshes/a.stl") return std::nullopt;
+    return "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 3\nendloop\nendfacet\n"
+           "endsolid a\n";
+  };
+  const ImportedModel model = imported_text(request);
+  EXPECT_TRUE(has_note(model, "meshes are drawn as the boxes around them"));
+  EXPECT_NE(model.json.find("[2, 2, 4]"), std::string::npos) << model.json;
+}
+
 }  // namespace
 }  // namespace mbgen

@@ -12,6 +12,7 @@
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/message.hpp"
+#include "workbench/motion/motion_table.hpp"
 #include "workbench/motion/path_forces.hpp"
 #include "workbench/start/initial_state.hpp"
 
@@ -66,6 +67,7 @@ nlohmann::ordered_json forces_json(const Compilation& compilation, const Inverse
 
 int run_inverse_path(const InversePathOptions& options) {
   if (options.every < 1) throw UserError(fmt::format("--every: must be positive, found {}\n", options.every));
+  table_format(options.format, options.out);  // fails before the work
   EngineChoice choice = chosen_engine(options.engine);
   if (choice.name == kAutoEngine) choice.name = "generic";
   choice.form = chosen_form(options.form);
@@ -82,7 +84,8 @@ int run_inverse_path(const InversePathOptions& options) {
                                      initial_state(compilation, inputs.at(path.start)), {step, options.every});
   std::vector<std::string> read = compilation.model.files;
   read.insert(read.end(), {options.path, options.simulation.input_table});
-  write_file(options.out, csv_text(table.columns), read);
+  const bool is_mat = table_format(options.format, options.out) == TableFormat::mat;
+  write_file(options.out, is_mat ? mat_text(table) : csv_text(table.columns), read);
   print_beside(options.out,
                options.json ? forces_json(compilation, options, choice.name, path, table).dump() + "\n"
                             : fmt::format("{}: forces along {}, {} rows from {:g} s to {:g} s, engine {}\n{}",

@@ -11,7 +11,7 @@
 namespace mbgen::cli {
 
 struct InversePathOptions {
-  std::string model, path, form, out;
+  std::string model, path, form, out, format;
   std::vector<std::string> set;
   EngineArguments engine;
   SimulationArguments simulation;

@@ -114,12 +114,11 @@ SolverSettings::Integrator chosen_integrator(const Model& model, const SimulateO
 int run_inverse(const SimulateOptions& options) {
   const std::pair<const char*, bool> others[] = {{"--manoeuvre", !options.manoeuvre.empty()},
                                                  {"--tolerance", options.tolerance.has_value()},
-                                                 {"--format", !options.format.empty() && options.format != "csv"},
                                                  {"--integrator", !options.simulation.integrator.empty()}};
   for (const auto& [name, is_given] : others)
     if (is_given) throw UserError(fmt::format("simulate --inverse: {} is of a motion: leave it out\n", name));
-  return run_inverse_path({options.model, options.path, options.form, options.file, options.set, options.engine,
-                           options.simulation, options.every, options.json});
+  return run_inverse_path({options.model, options.path, options.form, options.file, options.format, options.set,
+                           options.engine, options.simulation, options.every, options.json});
 }
 
 /// Fails: UserError for options whose motion has no derivatives.

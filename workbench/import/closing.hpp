@@ -24,4 +24,8 @@ Closed close_chain(Chain& chain);
 /// The note about joints that were moved and gaps that remain.
 void note_moves(Reading& reading, Spot spot, const Closed& closed, const std::string& hint);
 
+/// Makes the axis of a revolute joint that closes a planar loop parallel to all others of the loop where it is tilted
+/// by less than 5e-3 rad: tilted, it would hold the loop. Notes the angle.
+void align_closing_axes(Reading& reading, Spot spot, Assembly& assembly);
+
 }  // namespace mbgen::importing

@@ -11,8 +11,8 @@
 namespace mbgen::importing {
 namespace {
 
-constexpr double kLeft = 2e-3, kLeftTurned = 5e-3;  // m and rad, accepted remaining gap
-constexpr double kSame = 1e-4;                      // relative; a sum of squares is lower if it is lower by this
+constexpr double kLeft = 2e-3;  // m, accepted remaining gap
+constexpr double kSame = 1e-4;  // relative; a sum of squares is lower if it is lower by this
 
 using Loops = Closing::Loops;
 using Columns = std::vector<std::size_t>;  ///< indices into Closing::movable

@@ -11,7 +11,8 @@ namespace mbgen::importing {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kOpen = 1e-6;  // m and rad, as the model's reader allows
+constexpr double kOpen = 1e-6;        // m and rad, as the model's reader allows
+constexpr double kLeftTurned = 5e-3;  // rad, accepted remaining gap
 
 inline bool is_single(JointType type) { return type == JointType::revolute || type == JointType::prismatic; }
 

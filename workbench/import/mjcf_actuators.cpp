@@ -181,17 +181,66 @@ std::optional<MjcfLength> pulled_by(Mjcf& mjcf, const Element& actuator) {
   return MjcfLength{{{1.0, found->second}}};
 }
 
+struct Range {
+  double lower, upper;
+};
+
+/// The range "ctrl" or "force" of an actuator where it is in force.
+std::optional<Range> range_of(Mjcf& mjcf, const Element& actuator, const std::string& what) {
+  const Attribute* written = inherited(mjcf, actuator, "", what + "range");
+  const auto range = written ? numbers(mjcf.reading, *written, 2, 2) : std::nullopt;
+  const std::string limited = inherited_text(mjcf, actuator, "", what + "limited", "auto");
+  if (!range || limited == "false" || (limited == "auto" && !mjcf.settings.limits_by_range)) return std::nullopt;
+  if ((*range)[0] > (*range)[1]) {
+    problem(mjcf.reading, written->spot, what + "range has its larger end first");
+    return std::nullopt;
+  }
+  return Range{(*range)[0], (*range)[1]};
+}
+
 /// Limit of a motor by its ranges, whose larger end counts; infinite without one.
 double limit_of(Mjcf& mjcf, const Element& motor) {
   double limit = std::numeric_limits<double>::infinity();
-  for (const char* name : {"ctrlrange", "forcerange"}) {
-    const Attribute* written = inherited(mjcf, motor, "", name);
-    const auto range = written ? numbers(mjcf.reading, *written, 2, 2) : std::nullopt;
+  for (const char* what : {"ctrl", "force"}) {
+    const std::optional<Range> range = range_of(mjcf, motor, what);
     if (!range) continue;
-    const double larger = std::max(std::abs((*range)[0]), std::abs((*range)[1]));
+    const double larger = std::max(std::abs(range->lower), std::abs(range->upper));
     if (larger > 0) limit = std::min(limit, larger);
   }
   return limit;
+}
+
+std::string within(const std::string& text, const std::optional<Range>& range) {
+  return range ? fmt::format("min(max({}, {}), {})", text, number_text(range->lower), number_text(range->upper)) : text;
+}
+
+/// An input of its name, and the force of the law on each joint, both within their ranges.
+void add_servo(Mjcf& mjcf, const Element& actuator, const std::string& name, const std::string& unit, const Law& law,
+               const MjcfLength& length, double gear) {
+  Assembly& assembly = mjcf.assembly;
+  assembly.inputs.push_back({name, unit});
+  std::string acting = within(name, range_of(mjcf, actuator, "ctrl"));
+  if (law.time_constant > 0) {
+    const std::string filtered = unique_name(name + "_filtered", assembly.input_names);
+    assembly.states.push_back(
+        {filtered, fmt::format("({} - {})/{}", acting, filtered, number_text(law.time_constant)), unit});
+    acting = filtered;
+  }
+  if (range_of(mjcf, actuator, "act"))
+    lose(mjcf, actuator.spot, "actuator with a range of its activation: it is not enforced");
+  const auto add_law = [&](double scale, std::vector<Term>& force) {
+    force = {{scale * law.gain, acting}, {scale * (law.bias + gear * law.by_length * length.reference())}};
+    for (const Term& term : terms_of(length, scale * gear * law.by_length, "z.")) force.push_back(term);
+    for (const Term& term : terms_of(length, scale * gear * law.by_rate, "zd.")) force.push_back(term);
+  };
+  std::vector<Term> force;
+  if (const std::optional<Range> range = range_of(mjcf, actuator, "force")) {
+    add_law(1, force);
+    force = {{gear, within(sum_text(force), range)}};
+  } else {
+    add_law(gear, force);
+  }
+  add_force(mjcf, name, length, force);
 }
 
 void add_actuator(Mjcf& mjcf, const Element& actuator) {
@@ -213,29 +262,18 @@ void add_actuator(Mjcf& mjcf, const Element& actuator) {
                     actuator.name));
     return;
   }
-  if (inherited(mjcf, actuator, "", "ctrlrange") || inherited(mjcf, actuator, "", "forcerange"))
-    lose(mjcf, actuator.spot, "actuator with a range: it is not enforced");
   Assembly& assembly = mjcf.assembly;
   const std::string written = text_of(actuator, "name"), unit = unit_of(actuator, *length, gear);
   const std::string name =
       unique_name(written.empty() ? length->parts.front().second.coordinate + "_motor" : written, assembly.input_names);
   if (actuator.name == "motor" && length->parts.size() == 1 && gear != 0) {
+    if (range_of(mjcf, actuator, "ctrl") || range_of(mjcf, actuator, "force"))
+      lose(mjcf, actuator.spot, "motor with a range: a limit that is told and not enforced");
     const auto& [factor, joint] = length->parts.front();
     assembly.actuators.push_back({name, joint.coordinate, gear * factor, limit_of(mjcf, actuator)});
     return;
   }
-  assembly.inputs.push_back({name, unit});
-  std::string acting = name;
-  if (law->time_constant > 0) {
-    acting = unique_name(name + "_filtered", assembly.input_names);
-    assembly.states.push_back(
-        {acting, fmt::format("({} - {})/{}", name, acting, number_text(law->time_constant)), unit});
-  }
-  std::vector<Term> force = {{gear * law->gain, acting},
-                             {gear * law->bias + gear * gear * law->by_length * length->reference()}};
-  for (const Term& term : terms_of(*length, gear * gear * law->by_length, "z.")) force.push_back(term);
-  for (const Term& term : terms_of(*length, gear * gear * law->by_rate, "zd.")) force.push_back(term);
-  add_force(mjcf, name, *length, force);
+  add_servo(mjcf, actuator, name, unit, *law, *length, gear);
 }
 
 }  // namespace

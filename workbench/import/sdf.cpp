@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "workbench/import/known.hpp"
+#include "workbench/import/stl.hpp"
 
 namespace mbgen::importing {
 namespace {
@@ -39,6 +40,27 @@ void read_inertial(Reading& reading, const Element& link, BodyDraft& body, std::
   body.inertia = frame.linear() * written * frame.linear().transpose();
 }
 
+/// A box about the middle of a frame, along the axes of the link.
+void lay_box(const Isometry3d& frame, const Vector3d& half_edges, ShapeDraft& shape) {
+  const Vector3d half = frame.linear().cwiseAbs() * half_edges;
+  shape.type = "box";
+  shape.from = frame.translation() - half;
+  shape.to = frame.translation() + half;
+}
+
+/// The box around a mesh in STL beside the file. Result: whether there is one.
+bool read_mesh(Reading& reading, const Element& mesh, const Isometry3d& frame, ShapeDraft& shape) {
+  const std::string& file = reading.sources[static_cast<std::size_t>(mesh.spot.file)].file;
+  const std::optional<MeshBox> box = box_of_mesh(reading.request, file, inner_text(mesh, "uri"));
+  const Element* written = child(mesh, "scale");
+  const auto factors = written ? numbers(reading, {"scale", written->text, written->spot}, 3, 3) : std::nullopt;
+  if (!box) return false;
+  const Vector3d scale = factors ? Vector3d((*factors)[0], (*factors)[1], (*factors)[2]) : Vector3d(1, 1, 1);
+  const Vector3d centre = scale.cwiseProduct(0.5 * (box->least + box->most));
+  lay_box(frame * Eigen::Translation3d(centre), scale.cwiseAbs().cwiseProduct(0.5 * (box->most - box->least)), shape);
+  return true;
+}
+
 /// A visual as a shape of its link. Result: whether it is drawn.
 bool read_shape(Reading& reading, const Element& visual, ShapeDraft& shape) {
   const Element* geometry = child(visual, "geometry");
@@ -55,11 +77,9 @@ bool read_shape(Reading& reading, const Element& visual, ShapeDraft& shape) {
     }
     const Element* size = element.name == "box" ? child(element, "size") : nullptr;
     const auto edges = size ? numbers(reading, {"size", size->text, size->spot}, 3, 3) : std::nullopt;
+    if (element.name == "mesh" && read_mesh(reading, element, frame, shape)) return true;
     if (!edges) continue;
-    const Vector3d half = frame.linear().cwiseAbs() * (0.5 * Vector3d((*edges)[0], (*edges)[1], (*edges)[2]));
-    shape.type = "box";
-    shape.from = frame.translation() - half;
-    shape.to = frame.translation() + half;
+    lay_box(frame, 0.5 * Vector3d((*edges)[0], (*edges)[1], (*edges)[2]), shape);
     return true;
   }
   return false;
@@ -93,7 +113,7 @@ void add_sdf_links(Reading& reading, SdfModel& model, Assembly& assembly) {
 }
 
 void add_sdf_shapes(Reading& reading, const SdfModel& model, Assembly& assembly) {
-  const Element* first = nullptr;
+  const Element *first = nullptr, *mesh = nullptr;
   int count = 0;
   for (const Element* link : model.links) {
     for (const Element& visual : link->children) {
@@ -103,15 +123,20 @@ void add_sdf_shapes(Reading& reading, const SdfModel& model, Assembly& assembly)
         if (count++ == 0) first = &visual;
         continue;
       }
+      const Element* geometry = child(visual, "geometry");
+      if (!mesh && geometry) mesh = child(*geometry, "mesh");
       shape.colour = diffuse_colour(reading, visual);
       shape.name = unique_name(text_of(*link, "name"), assembly.shape_names);
       assembly.shapes.push_back(std::move(shape));
     }
   }
+  if (mesh) note(reading, mesh->spot, "meshes are drawn as the boxes around them");
   if (first)
     note(reading, first->spot,
-         fmt::format("<visual>{} not carried over: only boxes, cylinders and spheres are drawn",
-                     count > 1 ? fmt::format(" ({} of them)", count) : ""));
+         fmt::format(
+             "<visual>{} not carried over: only boxes, cylinders, spheres and the boxes around STL meshes beside "
+             "the file are drawn",
+             count > 1 ? fmt::format(" ({} of them)", count) : ""));
 }
 
 void import_sdf(Reading& reading, const Element& root, Assembly& assembly) {

@@ -20,6 +20,7 @@ struct SdfFrame {
 };
 
 struct SdfModel {
+  Element whole;  ///< with all models inside of it
   const Element* element = nullptr;
   double version = 0;  ///< of the format, 1.7 for example
   std::map<std::string, SdfFrame, std::less<>> frames;
@@ -39,6 +40,16 @@ bool inner_truth(const Element& element, std::string_view name);
 
 /// A pose as <pose> says it, identity without one.
 Isometry3d read_pose(Reading& reading, const Element* pose);
+
+/// Version of the format, 1.7 for example; 2 for 1.10 and later.
+double sdf_version(Reading& reading, const Element& root);
+/// Whether an axis without a frame is in the axes of the model.
+bool is_axis_of_model(const Element& axis, double version);
+/// Pose of a frame in a model that has no models inside. Fails (nothing): as frame_pose.
+std::optional<Isometry3d> pose_in(Reading& reading, const Element& model, std::string_view name, const Element& user);
+/// The model with the links, joints and frames of all models and included files inside of it, under names NAME::INNER.
+/// Problems: files that cannot be read or that include themselves, static models inside.
+Element with_nested_models(Reading& reading, const Element& model, double version);
 
 /// The model of the file, in <sdf> or in its <world>, with its links, joints and frames. Fails (nothing, with
 /// problems).

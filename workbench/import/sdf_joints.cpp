@@ -44,9 +44,7 @@ struct JointReader {
       return Vector3d::UnitZ();
     }
     std::string frame = xyz ? text_of(*xyz, "expressed_in") : "";
-    const bool is_of_model =
-        model.version < 1.45 || (model.version < 1.65 && inner_truth(axis, "use_parent_model_frame"));
-    if (frame.empty()) frame = is_of_model ? "__model__" : text_of(joint, "name");
+    if (frame.empty()) frame = is_axis_of_model(axis, model.version) ? "__model__" : text_of(joint, "name");
     const auto pose = frame_pose(reading, model, frame, xyz ? *xyz : axis);
     return pose ? Vector3d(model.pose.linear() * pose->linear() * direction.normalized()) : direction.normalized();
   }

@@ -11,7 +11,7 @@ constexpr const char* kOutputs = "outputs are chosen in the model";
 constexpr const char* kControllers = "controllers are not part of the mechanism";
 constexpr const char* kPose = "relative_to rotation_format degrees";
 
-constexpr std::array<KnownElement, 134> kElementsOfSdf = {{
+constexpr std::array<KnownElement, 146> kElementsOfSdf = {{
     {"/sdf", "version"},
     {"sdf/world", "name"},
     {"sdf/model", "name placement_frame canonical_link"},
@@ -41,6 +41,14 @@ constexpr std::array<KnownElement, 134> kElementsOfSdf = {{
     {"world/road", "", "", kNoContact},
     {"world/joint", "", "", "joints between models are not read"},
     {"world/plugin", "", "", kControllers},
+    {"model/model", "name placement_frame canonical_link"},
+    {"model/include", "merge"},
+    {"include/uri", ""},
+    {"include/name", ""},
+    {"include/pose", kPose, "frame"},
+    {"include/placement_frame", ""},
+    {"include/static", ""},
+    {"include/plugin", "", "", kControllers},
     {"model/static", ""},
     {"model/pose", kPose, "frame"},
     {"model/link", "name"},
@@ -98,7 +106,11 @@ constexpr std::array<KnownElement, 134> kElementsOfSdf = {{
     {"geometry/empty", "", "", "-"},
     {"geometry/heightmap", "", "", "-"},
     {"geometry/image", "", "", "-"},
-    {"geometry/mesh", "", "", "-"},
+    {"geometry/mesh", "", "optimization"},
+    {"mesh/uri", ""},
+    {"mesh/scale", ""},
+    {"mesh/submesh", "", "", "the box is around the whole mesh"},
+    {"mesh/convex_decomposition", "", "", "", true},
     {"geometry/plane", "", "", "-"},
     {"geometry/polyline", "", "", "-"},
     {"box/size", ""},

@@ -42,11 +42,7 @@ void read_members(Reading& reading, SdfModel& model) {
       const std::string attached = text_of(element, "attached_to");
       add_frame(reading, element, attached.empty() ? kModelFrame : attached, attached, model);
     }
-    if (element.name == "model" || element.name == "include")
-      problem(reading, element.spot, fmt::format("<{}> inside a model is not read", element.name),
-              "write its links and joints into this model: `gz sdf -p` expands includes of models");
   }
-  if (model.links.empty()) problem(reading, model.element->spot, "model has no links");
 }
 
 /// The models in an element, and their number.
@@ -172,13 +168,29 @@ int body_of_frame(Reading& reading, const SdfModel& model, std::string_view name
   return -1;
 }
 
-std::optional<SdfModel> read_sdf(Reading& reading, const Element& root, Assembly& assembly) {
-  SdfModel model;
-  if (const Attribute* version = attribute(root, "version"))
-    if (const auto value = numbers(reading, *version, 1, 1)) model.version = value->front();
+double sdf_version(Reading& reading, const Element& root) {
   // 1.10 to 1.12 are later than 1.9.
   const std::string version = text_of(root, "version");
-  if (version == "1.10" || version == "1.11" || version == "1.12") model.version = 2;
+  if (version == "1.10" || version == "1.11" || version == "1.12") return 2;
+  const Attribute* written = attribute(root, "version");
+  const auto value = written ? numbers(reading, *written, 1, 1) : std::nullopt;
+  return value ? value->front() : 0;
+}
+
+bool is_axis_of_model(const Element& axis, double version) {
+  return version < 1.45 || (version < 1.65 && inner_truth(axis, "use_parent_model_frame"));
+}
+
+std::optional<Isometry3d> pose_in(Reading& reading, const Element& model, std::string_view name, const Element& user) {
+  SdfModel alone;
+  alone.element = &model;
+  read_members(reading, alone);
+  return frame_pose(reading, alone, name, user);
+}
+
+std::optional<SdfModel> read_sdf(Reading& reading, const Element& root, Assembly& assembly) {
+  SdfModel model;
+  model.version = sdf_version(reading, root);
   const Element* world = child(root, "world");
   const std::vector<const Element*> models = models_in(root);
   if (world) {
@@ -190,7 +202,10 @@ std::optional<SdfModel> read_sdf(Reading& reading, const Element& root, Assembly
     problem(reading, root.spot, fmt::format("<{}> has {} models, one is read", root.name, models.size()));
   }
   if (!model.element) return std::nullopt;
+  model.whole = with_nested_models(reading, *model.element, model.version);
+  if (!reading.problems.empty()) return std::nullopt;
   read_members(reading, model);
+  if (model.links.empty()) problem(reading, model.element->spot, "model has no links");
   if (!reading.problems.empty()) return std::nullopt;
   const Element* pose = child(*model.element, "pose");
   model.pose = read_pose(reading, pose);

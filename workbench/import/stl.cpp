@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <limits>
+#include <vector>
 
 namespace mbgen::importing {
 namespace {
@@ -80,6 +82,26 @@ std::optional<MeshBox> box_of_stl(std::string_view bytes) {
   const std::optional<MeshBox> box = triangles ? binary_box(bytes, *triangles) : ascii_box(bytes);
   if (!box || !box->least.allFinite() || !box->most.allFinite()) return std::nullopt;
   return box;
+}
+
+std::optional<MeshBox> box_of_mesh(const ImportRequest& request, const std::string& file, const std::string& name) {
+  if (!request.read) return std::nullopt;
+  std::string path = name, inside;
+  for (const std::string_view scheme : {"package://", "model://", "file://"}) {
+    if (!path.starts_with(scheme)) continue;
+    path = path.substr(scheme.size());
+    if (scheme != "file://") inside = path.substr(path.find('/') + 1);
+  }
+  const std::filesystem::path last = std::filesystem::path(path).filename();
+  if (last.empty() || last == "." || last == "..") return std::nullopt;
+  const std::filesystem::path beside = std::filesystem::path(file).parent_path();
+  std::vector<std::filesystem::path> places = {beside / path, beside / last};
+  if (!inside.empty()) places = {beside / inside, beside / path, beside / ".." / path, beside / last};
+  for (const std::filesystem::path& place : places) {
+    const std::optional<std::string> bytes = request.read(place.string());
+    if (bytes) return box_of_stl(*bytes);
+  }
+  return std::nullopt;
 }
 
 }  // namespace mbgen::importing

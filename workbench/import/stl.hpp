@@ -3,7 +3,10 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include "workbench/import/request.hpp"
 
 namespace mbgen::importing {
 
@@ -15,5 +18,9 @@ struct MeshBox {
 /// Bounding box of a mesh. Result: nothing for bytes that are no STL, contain no triangle or a number that is not
 /// finite.
 std::optional<MeshBox> box_of_stl(std::string_view bytes);
+
+/// Bounding box of a mesh that `file` names, found beside that by its path or its name alone; for package://NAME/ and
+/// model://NAME/ also by the rest of the path. Nothing where there is no STL.
+std::optional<MeshBox> box_of_mesh(const ImportRequest& request, const std::string& file, const std::string& name);
 
 }  // namespace mbgen::importing

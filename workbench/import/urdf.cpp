@@ -74,6 +74,7 @@ void import_urdf(Reading& reading, const Element& root, Assembly& assembly) {
   assemble_robot(reading, robot, loops, assembly);
   if (!reading.problems.empty()) return;
   add_loops(reading, loops, robot, assembly);
+  align_closing_axes(reading, root.spot, assembly);
   add_transmissions(reading, root, robot, assembly);
   add_visuals(reading, root, robot, assembly);
   check_inertias(reading, assembly);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "workbench/import/stl.hpp"
 #include "workbench/import/urdf.hpp"
@@ -50,25 +49,6 @@ struct MeshUse {
   Lost links;               ///< by their visuals
 };
 
-/// Bounding box of a mesh found relative to the robot's file, by its path or its name alone; for package://NAME/ by the
-/// rest of the path.
-std::optional<MeshBox> box_of_mesh(const ImportRequest& request, const std::string& name) {
-  if (!request.read) return std::nullopt;
-  std::string path = name;
-  for (const std::string_view scheme : {"package://", "model://", "file://"}) {
-    if (path.starts_with(scheme))
-      path = path.substr(scheme == "file://" ? scheme.size() : path.find('/', scheme.size()) + 1);
-  }
-  const std::filesystem::path last = std::filesystem::path(path).filename();
-  if (last.empty() || last == "." || last == "..") return std::nullopt;
-  const std::filesystem::path beside = std::filesystem::path(request.file).parent_path();
-  for (const std::filesystem::path& place : {beside / path, beside / last}) {
-    const std::optional<std::string> bytes = request.read(place.string());
-    if (bytes) return box_of_stl(*bytes);
-  }
-  return std::nullopt;
-}
-
 struct VisualReader {
   Reading& reading;
   Assembly& assembly;
@@ -98,7 +78,7 @@ struct VisualReader {
     const std::string name = text_of(element, "filename");
     const auto [place, is_new] = meshes.try_emplace(name);
     MeshUse& use = place->second;
-    if (is_new) use.box = box_of_mesh(reading.request, name);
+    if (is_new) use.box = box_of_mesh(reading.request, reading.request.file, name);
     if (is_new) use.first = link.name;
     if (is_new || use.last != link.name) use.links.add(visual);
     use.last = link.name;

@@ -212,13 +212,17 @@ int add_source(Reading& reading, std::string file, std::string text) {
 }
 
 std::optional<Element> read_xml(Reading& reading) {
+  return read_xml(reading, reading.request.file, reading.request.text);
+}
+
+std::optional<Element> read_xml(Reading& reading, const std::string& name, const std::string& text) {
   Loader loader{reading};
-  const int file = add_source(reading, reading.request.file, reading.request.text);
+  const int file = add_source(reading, name, text);
   pugi::xml_document document;
   const pugi::xml_node node = parse(loader, document, file);
   if (!node) return std::nullopt;
   Element root = element_of(loader, node, file);
-  std::vector<std::string> open_files = {reading.request.file};
+  std::vector<std::string> open_files = {name};
   if (!load_children(loader, node, file, 1, root, open_files)) return std::nullopt;
   return root;
 }

@@ -51,6 +51,8 @@ int add_source(Reading& reading, std::string file, std::string text);
 /// added): syntax, nesting deeper than 256 levels, more than 2 million elements, includes that cannot be read or that
 /// include themselves.
 std::optional<Element> read_xml(Reading& reading);
+/// The same of another file, of this text.
+std::optional<Element> read_xml(Reading& reading, const std::string& name, const std::string& text);
 
 Where where_of(const Reading& reading, Spot spot);
 void problem(Reading& reading, Spot spot, std::string message, std::string hint = {});

@@ -1,184 +1,291 @@
 #pragma once
-// All coordinates of a mechanism from those of its actuators: positions and rates from a near pose, accelerations, the
-// Jacobian, and forces from actuators to coordinates and back. `System` is described in blocks.hpp; beyond it kActuatedCoordinate and kGear of each actuator, which
-// act on coordinates of their own and together determine every free direction.
+// All coordinates of a mechanism from its actuators: positions and rates from a near pose, accelerations, the Jacobian,
+// and forces from actuators to coordinates and back. `System` is described in blocks.hpp and
+// solver/actuated_motion.hpp. Of more actuators than directions motions are those of least weighted squares, forces
+// those of least weighted norm.
 
-#include "mbgen/actuation.hpp"
 #include "mbgen/independent.hpp"
 #include "mbgen/number.hpp"
+#include "mbgen/solver/actuated_motion.hpp"
 
 namespace mbgen {
 
 namespace solver_detail {
 
-/// A flag per coordinate: 1 where an actuator acts.
+/// Arguments, and everything at a position. Fails: not_a_number, loop_singular, actuators_singular.
 template <class System>
-struct ActuatedCoordinates {
-  unsigned char is[System::kCoordinates] = {};
-  ActuatedCoordinates() noexcept {
-    for (const int coordinate : System::kActuatedCoordinate) is[coordinate] = 1;
-  }
-};
+Status look_at(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+               const typename System::State& state, ActuatedMotion<System>& motion) noexcept {
+  const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
+  if (!arguments.ok()) return arguments;
+  const Status status = motion.look(parameters, inputs, state);
+  return status.ok() ? motion.actuators_status() : status;
+}
 
-/// Solves every block for its other coordinates. given: 1 for coordinates that are known; use(block, coordinate,
-/// solution): its coordinates, and its solution by factors.
-/// Fails: loop_singular where the given coordinates do not determine a block.
-template <class System, class Use>
-Status each_given_block(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                        const typename System::State& state, const unsigned char* given,
-                        typename System::ClosureTerms& terms, const Use& use) noexcept {
+/// Lets coordinates that an actuator moves alone be where it has them.
+template <class System>
+void set_own_coordinates(const typename System::ActuatorTerms& seen, const RealOf<System>* position,
+                         typename System::State& state) noexcept {
   using Real = RealOf<System>;
-  System::closure_terms(parameters, inputs, state, terms);
-  BlockFactors<System> factors;
-  Real right_hand_side[System::kEquations];
-  for (int b = 0; b < System::kBlocks; ++b) {
-    const BlockLayout& block = System::kBlockLayout[b];
-    const LoopFactorsOf<Real> loop = chosen_factors<System>(b, given, terms, factors);
-    const bool is_regular =
-        loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
-    if (block.rank > 0 && !is_regular) return {Code::loop_singular, b};
-    use(block, System::kBlockCoordinate + block.first_coordinate,
-        ByFactors<System>{b, loop, terms, factors.work, right_hand_side});
+  for (int i = 0; i < System::kActuators; ++i) {
+    const Real* const direction = seen.direction + i * System::kCoordinates;
+    int own = -1, moved = 0;
+    for (int c = 0; c < System::kCoordinates; ++c)
+      if (direction[c] != Real(0)) own = c, ++moved;
+    if (moved == 1) state.z[own] += (position[i] - seen.position[i]) / direction[own];
+  }
+}
+
+/// Newton's step: closes the loops, brings driven coordinates to their motions and the actuators to `position`.
+template <class System>
+void step_to(ActuatedMotion<System>& motion, const RealOf<System>* position, RealOf<System>* dz) noexcept {
+  RealOf<System> along[System::kActuators];
+  for (int i = 0; i < System::kActuators; ++i) along[i] = position[i] - motion.seen.position[i];
+  motion.each_block(dz, [](const auto& solution, RealOf<System>* x) { solution.closing(x); });
+  motion.add_along(along, dz);
+}
+
+/// Positions and velocities of driven coordinates beside a state, zero of the others.
+template <class System>
+void driven_motion(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                   const typename System::State& state, RealOf<System>* dz, RealOf<System>* zd) noexcept {
+  for (int i = 0; i < System::kCoordinates; ++i) dz[i] = zd[i] = RealOf<System>(0);
+  if constexpr (System::kHasClosure) {
+    if constexpr (System::kDrives > 0) {
+      typename System::Closure closure;
+      System::closure(parameters, inputs, state, closure);
+      for (const int c : System::kDriveCoordinate) dz[c] = closure.dz[c], zd[c] = closure.zd[c];
+    }
+  }
+  static_cast<void>(parameters), static_cast<void>(inputs), static_cast<void>(state);
+}
+
+/// Whether loops stay open, with the block of the worst equation.
+template <class System>
+Status open_loops([[maybe_unused]] const ActuatedMotion<System>& motion) noexcept {
+  if constexpr (System::kBlocks > 0) {
+    for (int e = 0; e < System::kEquations; ++e)
+      if (!(magnitude(motion.loops.terms.Phi[e]) <= kRedundantTolerance<RealOf<System>>))
+        return {Code::loop_not_closed, block_of<System>(e)};
   }
   return {};
 }
 
-/// Rates of all coordinates for those of a column of given ones each, in place, row by row: coordinates x count.
-/// Fails: not_a_number, loop_singular.
+/// z += dz, shortened when a coordinate would jump.
 template <class System>
-Status complete_rates(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                      const typename System::State& state, const unsigned char* given, int count,
-                      RealOf<System>* rates) noexcept {
-  if constexpr (System::kBlocks > 0) {
-    typename System::ClosureTerms terms;
-    const Status status = each_given_block<System>(
-        parameters, inputs, state, given, terms,
-        [&](const BlockLayout& block, const int* coordinate, const auto& solution) {
-          RealOf<System> x[System::kBlockCoordinates];
-          for (int i = 0; i < count; ++i) {
-            for (int c = 0; c < block.coordinates; ++c) x[c] = rates[coordinate[c] * count + i];
-            solution.moving(x);
-            for (int c = 0; c < block.coordinates; ++c) rates[coordinate[c] * count + i] = x[c];
-          }
-        });
+void take_step(const RealOf<System>* dz, typename System::State& state) noexcept {
+  using Real = RealOf<System>;
+  const Real factor = shortening(largest(dz, System::kCoordinates), kLargestNewtonStep<Real>);
+  for (int c = 0; c < System::kCoordinates; ++c) state.z[c] += factor * dz[c];
+}
+
+/// Newton's iteration to the positions of the actuators; then motion is at them. Fails: loop_singular, loop_not_closed.
+template <class System>
+Status move_actuators(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                      const RealOf<System>* position, typename System::State& trial, ActuatedMotion<System>& motion,
+                      RealOf<System>* zd) noexcept {
+  using Real = RealOf<System>;
+  constexpr Real tolerance = closure_tolerance<System>();
+  Real dz[System::kCoordinates], previous = std::numeric_limits<Real>::infinity();
+  int derivatives = kDerivativeSteps;
+  for (int left = kNewtonIterations + 1; left > 0; --left) {
+    const Status status = motion.look(parameters, inputs, trial);
     if (!status.ok()) return status;
+    driven_motion<System>(parameters, inputs, trial, dz, zd);
+    step_to<System>(motion, position, dz);
+    const Real size = largest(dz, System::kCoordinates);
+    if (!is_finite(size)) break;
+    const bool gains = size > Real(0) && size < Real(0.5) * previous && left > 1;
+    const bool is_there = size <= tolerance || (!gains && size <= kRoundingFloor<Real>);
+    if (is_there && (derivatives-- == 0 || keeps_derivatives(dz, trial.z, System::kCoordinates)))
+      return open_loops<System>(motion);
+    previous = size;
+    take_step<System>(dz, trial);
   }
-  return is_finite(sum(rates, System::kCoordinates * count)) ? Status{} : Status{Code::not_a_number, -1};
+  const Status open = open_loops<System>(motion);
+  return open.ok() ? Status{Code::loop_not_closed, System::kBlocks > 0 ? 0 : -1} : open;
 }
 
 }  // namespace solver_detail
 
 /// Closes the loops with the motors at these positions and speeds, from the state as a near pose.
-/// Fails: not_a_number, loop_singular; loop_not_closed also when another coordinate would jump; the state is then
-/// unchanged.
+/// Fails: not_a_number, loop_singular, actuators_singular; loop_not_closed also when another coordinate would jump; the
+/// state is then unchanged.
 template <class System>
 Status complete_joints(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const RealOf<System>* position, const RealOf<System>* speed,
                        typename System::State& state) noexcept {
-  typename System::State trial;
-  solver_detail::copy_state<System>(state, trial);
-  for (int i = 0; i < System::kActuators; ++i) {
-    trial.z[System::kActuatedCoordinate[i]] = position[i] / System::kGear[i];
-    trial.zd[System::kActuatedCoordinate[i]] = speed[i] / System::kGear[i];
+  using namespace solver_detail;
+  const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
+  if (!arguments.ok()) return arguments;
+  if (!is_finite(sum(position, System::kActuators) + sum(speed, System::kActuators))) return {Code::not_a_number, -1};
+  ActuatedMotion<System> motion;
+  typename System::State start, trial;
+  copy_state<System>(state, start);
+  System::actuators(parameters, inputs, state, motion.seen);
+  set_own_coordinates<System>(motion.seen, position, start);
+  copy_state<System>(start, trial);
+  RealOf<System> zd[System::kCoordinates];
+  const Status moved = move_actuators<System>(parameters, inputs, position, trial, motion, zd);
+  if (!moved.ok()) return moved;
+  const Status singular = motion.actuators_status();
+  if (!singular.ok()) return singular;
+  if constexpr (System::kBlocks > 0) {
+    const int block = moved_far<System>(start, trial);
+    if (block >= 0) return {Code::loop_not_closed, block};
   }
-  const solver_detail::ActuatedCoordinates<System> actuated;
-  const Status status = project_from_independent<System>(parameters, inputs, actuated.is, trial);
-  if (status.ok()) solver_detail::copy_state<System>(trial, state);
-  return status;
+  motion.each_block(zd, [](const auto& solution, RealOf<System>* x) { solution.moving(x); });
+  motion.add_along(speed, zd);
+  copy(zd, trial.zd, System::kCoordinates);
+  const int bad = first_not_finite(trial.zd, System::kCoordinates);
+  if (bad >= 0) return {Code::not_a_number, bad};
+  copy_state<System>(trial, state);
+  return {};
 }
 
-/// All accelerations from those of the motors, at a consistent state. Fails: not_a_number, loop_singular.
+/// Positions and speeds of the motors at a state. Fails: not_a_number.
+template <class System>
+Status actuator_positions(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                          const typename System::State& state, RealOf<System>* position,
+                          RealOf<System>* speed) noexcept {
+  using namespace solver_detail;
+  const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
+  if (!arguments.ok()) return arguments;
+  typename System::ActuatorTerms seen;
+  System::actuators(parameters, inputs, state, seen);
+  for (int i = 0; i < System::kActuators; ++i) {
+    position[i] = seen.position[i];
+    speed[i] = RealOf<System>(0);
+    for (int c = 0; c < System::kCoordinates; ++c)
+      speed[i] += seen.direction[i * System::kCoordinates + c] * state.zd[c];
+  }
+  return {};
+}
+
+/// All accelerations from those of the motors, at a consistent state. Fails: not_a_number, loop_singular,
+/// actuators_singular.
 template <class System>
 Status complete_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                               const typename System::State& state, const RealOf<System>* acceleration,
                               RealOf<System>* zdd) noexcept {
   using namespace solver_detail;
-  const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
-  if (!arguments.ok()) return arguments;
-  RealOf<System> all[System::kCoordinates] = {};
-  for (int i = 0; i < System::kActuators; ++i) all[System::kActuatedCoordinate[i]] = acceleration[i] / System::kGear[i];
+  using Real = RealOf<System>;
+  ActuatedMotion<System> motion;
+  const Status status = look_at<System>(parameters, inputs, state, motion);
+  if (!status.ok()) return status;
+  Real all[System::kCoordinates] = {}, along[System::kActuators];
   if constexpr (System::kBlocks > 0) {
-    typename System::ClosureTerms terms;
-    const ActuatedCoordinates<System> actuated;
-    const Status status = each_given_block<System>(
-        parameters, inputs, state, actuated.is, terms,
-        [&](const BlockLayout& block, const int* coordinate, const auto& solution) {
-          RealOf<System> x[System::kBlockCoordinates];
-          for (int c = 0; c < block.coordinates; ++c)
-            x[c] = System::kBlockDriven[block.first_coordinate + c] != 0 ? terms.driven_acceleration[coordinate[c]]
-                                                                         : all[coordinate[c]];
-          solution.accelerating(x);
-          for (int c = 0; c < block.coordinates; ++c) all[coordinate[c]] = x[c];
-        });
-    if (!status.ok()) return status;
     if constexpr (System::kDrives > 0)
-      for (int i = 0; i < System::kCoordinates; ++i)
-        if (System::kDriven[i] != 0) all[i] = terms.driven_acceleration[i];
+      for (const int c : System::kDriveCoordinate) all[c] = motion.loops.terms.driven_acceleration[c];
   }
+  motion.each_block(all, [](const auto& solution, Real* x) { solution.accelerating(x); });
+  for (int i = 0; i < System::kActuators; ++i) along[i] = acceleration[i] - motion.seen.drift[i];
+  motion.add_along(along, all);
   const int bad = first_not_finite(all, System::kCoordinates);
   if (bad >= 0) return {Code::not_a_number, bad};
   copy(all, zdd, System::kCoordinates);
   return {};
 }
 
-/// Rates of all coordinates for a unit speed of each motor, row by row: coordinates x actuators.
-/// Fails: not_a_number, loop_singular; the rates are then unchanged.
+/// Rates of all coordinates for a unit speed of each motor, row by row: coordinates x actuators. Motions are left out.
+/// Fails: not_a_number, loop_singular, actuators_singular; the rates are then unchanged.
 template <class System>
 Status actuator_jacobian(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                          const typename System::State& state, RealOf<System>* jacobian) noexcept {
   using namespace solver_detail;
+  using Real = RealOf<System>;
   constexpr int n = System::kCoordinates, count = System::kActuators;
-  const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
-  if (!arguments.ok()) return arguments;
-  RealOf<System> rates[n * count] = {};
-  for (int i = 0; i < count; ++i) rates[System::kActuatedCoordinate[i] * count + i] = 1 / System::kGear[i];
-  const Status status =
-      complete_rates<System>(parameters, inputs, state, ActuatedCoordinates<System>().is, count, rates);
-  if (status.ok()) copy(rates, jacobian, n * count);
-  return status;
+  ActuatedMotion<System> motion;
+  const Status status = look_at<System>(parameters, inputs, state, motion);
+  if (!status.ok()) return status;
+  for (int i = 0; i < count; ++i) {
+    Real unit[count] = {}, rates[n] = {};
+    unit[i] = Real(1);
+    motion.add_along(unit, rates);
+    for (int c = 0; c < n; ++c) jacobian[c * count + i] = rates[c];
+  }
+  return {};
 }
 
 /// Forces of the motors with the same virtual work as generalised forces tau on the coordinates: the static map.
-/// Fails: not_a_number, loop_singular; the forces are then unchanged.
+/// Fails: not_a_number, loop_singular, actuators_singular; the forces are then unchanged.
 template <class System>
 Status forces_at_actuators(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                            const typename System::State& state, const RealOf<System>* tau,
                            RealOf<System>* force) noexcept {
-  constexpr int n = System::kCoordinates, count = System::kActuators;
-  RealOf<System> jacobian[n * count], found[count] = {};
-  const Status status = actuator_jacobian<System>(parameters, inputs, state, jacobian);
+  using namespace solver_detail;
+  constexpr int count = System::kActuators;
+  ActuatedMotion<System> motion;
+  const Status status = look_at<System>(parameters, inputs, state, motion);
   if (!status.ok()) return status;
-  for (int c = 0; c < n; ++c)
-    for (int i = 0; i < count; ++i) found[i] += jacobian[c * count + i] * tau[c];
-  if (!is_finite(solver_detail::sum(found, count)))
-    return {Code::not_a_number, solver_detail::first_not_finite(tau, n)};
-  solver_detail::copy(found, force, count);
+  RealOf<System> found[count];
+  motion.forces_for(tau, found);
+  if (!is_finite(sum(found, count))) return {Code::not_a_number, first_not_finite(tau, System::kCoordinates)};
+  copy(found, force, count);
   return {};
 }
 
+namespace solver_detail {
+
+/// Generalised forces on all coordinates by forces of the motors.
+template <class System>
+void forces_of_actuators(const typename System::ActuatorTerms& seen, const RealOf<System>* force,
+                         RealOf<System>* tau) noexcept {
+  for (int c = 0; c < System::kCoordinates; ++c) {
+    tau[c] = RealOf<System>(0);
+    for (int i = 0; i < System::kActuators; ++i) tau[c] += seen.direction[i * System::kCoordinates + c] * force[i];
+  }
+}
+
+/// Takes generalised forces on dependent coordinates over to the independent ones of the frozen partition.
+/// Fails: loop_singular where these do not determine a block.
+template <class System>
+Status take_to_independent(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                           const typename System::State& state, RealOf<System>* tau) noexcept {
+  using Real = RealOf<System>;
+  unsigned char independent[System::kCoordinates] = {};
+  for (const FreeDirection& direction : System::kFreeDirection) independent[direction.coordinate] = 1;
+  typename System::ClosureTerms terms;
+  System::closure_terms(parameters, inputs, state, terms);
+  BlockFactors<System> factors;
+  Real local[System::kBlockCoordinates], lambda[System::kEquations];
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    const LoopFactorsOf<Real> loop = chosen_factors<System>(b, independent, terms, factors);
+    const bool is_regular =
+        loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
+    if (block.rank > 0 && !is_regular) return {Code::loop_singular, b};
+    const int* const coordinate = System::kBlockCoordinate + block.first_coordinate;
+    for (int c = 0; c < block.coordinates; ++c) local[c] = tau[coordinate[c]];
+    solve_transposed(loop, local, lambda, factors.work);
+    for (int c = 0; c < block.coordinates; ++c) tau[coordinate[c]] = local[c];
+  }
+  for (int c = 0; c < System::kCoordinates; ++c)
+    if (independent[c] == 0) tau[c] = Real(0);  // of driven ones
+  return {};
+}
+
+}  // namespace solver_detail
+
 /// Generalised forces on the independent coordinates with the same virtual work as forces of the motors, zero on the
-/// others. Fails: not_a_number, loop_singular; tau is then unchanged.
+/// others. Fails: not_a_number, loop_singular where these coordinates do not determine the others; tau is then
+/// unchanged.
 template <class System>
 Status forces_at_independent(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                              const typename System::State& state, const RealOf<System>* force,
                              RealOf<System>* tau) noexcept {
   using namespace solver_detail;
-  constexpr int n = System::kCoordinates, count = System::kFreeDirections;
+  constexpr int n = System::kCoordinates;
   const Status arguments = check_arguments<System>(parameters, inputs, state, nullptr);
   if (!arguments.ok()) return arguments;
-  RealOf<System> rates[n * count] = {}, found[n] = {};
-  unsigned char independent[n] = {};
-  for (int q = 0; q < count; ++q) {
-    const int coordinate = System::kFreeDirection[q].coordinate;
-    independent[coordinate] = 1;
-    rates[coordinate * count + q] = 1;
+  typename System::ActuatorTerms seen;
+  System::actuators(parameters, inputs, state, seen);
+  RealOf<System> found[n];
+  forces_of_actuators<System>(seen, force, found);
+  if constexpr (System::kBlocks > 0) {
+    const Status status = take_to_independent<System>(parameters, inputs, state, found);
+    if (!status.ok()) return status;
   }
-  const Status status = complete_rates<System>(parameters, inputs, state, independent, count, rates);
-  if (!status.ok()) return status;
-  for (int i = 0; i < System::kActuators; ++i)
-    for (int q = 0; q < count; ++q)
-      found[System::kFreeDirection[q].coordinate] +=
-          System::kGear[i] * rates[System::kActuatedCoordinate[i] * count + q] * force[i];
   if (!is_finite(sum(found, n))) return {Code::not_a_number, -1};
   copy(found, tau, n);
   return {};

@@ -1,17 +1,21 @@
 #pragma once
 // Inverse dynamics of a generated solver: its program at a consistent state, and what its monitors say. `System` is
-// described in blocks.hpp; of one with actuators it offers kActuators, kActuatedDirections, the type ActuatorForces and the program
-// inverse_dynamics.
+// described in blocks.hpp; of one with actuators it offers kActuators, kActuatedDirections, the type ActuatorForces and
+// the program inverse_dynamics; where other pivots can be chosen at run time also the program required_forces.
 
 #include "mbgen/blocks.hpp"
+#include "mbgen/independent.hpp"
 #include "mbgen/number.hpp"
+#include "mbgen/solver/actuated_motion.hpp"
 
 namespace mbgen {
 
-/// Smallest pivot of an actuator, over its median in the analysed configurations, with which forces are given: below it
-/// they are fifty times what they usually are, and lose two digits.
+/// Share of the largest of given accelerations by which those of a loop block may differ from the loops' and still be
+/// those of a motion.
 template <class Real>
-inline constexpr Real kLeastActuation = Real(0.02);
+inline constexpr Real kConsistentAccelerations = Real(1e-8);
+template <>
+inline constexpr float kConsistentAccelerations<float> = 1e-3f;
 
 namespace solver_detail {
 
@@ -30,11 +34,99 @@ Status actuation_status(const Values& values, const typename System::Derivative&
   return {Code::not_a_number, coordinate >= 0 ? coordinate : first_not_finite(values.zdd, System::kCoordinates)};
 }
 
+/// Whether other pivots can be chosen where the frozen ones are bad.
+template <class System, class = void>
+inline constexpr bool kPivotsActuators = false;
+template <class System>
+inline constexpr bool kPivotsActuators<System, std::void_t<decltype(&System::required_forces)>> = true;
+
+/// Whether accelerations of the coordinates of block b are those of `closed`.
+template <class System>
+bool are_alike(int b, const RealOf<System>* given, const RealOf<System>* closed) noexcept {
+  using Real = RealOf<System>;
+  const BlockLayout& block = System::kBlockLayout[b];
+  const int* const coordinate = System::kBlockCoordinate + block.first_coordinate;
+  Real size(0), error(0);
+  for (int c = 0; c < block.coordinates; ++c) {
+    const Real value = given[coordinate[c]], difference = magnitude(closed[c] - value);
+    size = magnitude(value) > size ? magnitude(value) : size;
+    size = magnitude(closed[c]) > size ? magnitude(closed[c]) : size;
+    error = difference > error || is_nan(difference) ? difference : error;
+  }
+  return error <= kConsistentAccelerations<Real> * size;
+}
+
+/// All accelerations from given ones: of a block whose given accelerations are a motion these, of others by the
+/// independent coordinates of the frozen partition. Fails: loop_singular where neither determines a
+/// block.
+template <class System>
+Status complete_given(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                      const typename System::State& state, ActuatedMotion<System>& motion,
+                      RealOf<System>* zdd) noexcept {
+  using Real = RealOf<System>;
+  unsigned char independent[System::kCoordinates] = {};
+  for (const FreeDirection& direction : System::kFreeDirection) independent[direction.coordinate] = 1;
+  typename System::ClosureTerms terms;
+  System::closure_terms(parameters, inputs, state, terms);
+  BlockFactors<System> factors;
+  Real local[System::kBlockCoordinates];
+  for (int i = 0; i < System::kCoordinates; ++i)
+    if (System::kDriven[i] != 0) zdd[i] = terms.driven_acceleration[i];
+  for (int b = 0; b < System::kBlocks; ++b) {
+    const BlockLayout& block = System::kBlockLayout[b];
+    const int* const coordinate = System::kBlockCoordinate + block.first_coordinate;
+    const auto start = [&] {
+      for (int c = 0; c < block.coordinates; ++c) local[c] = zdd[coordinate[c]];
+    };
+    start();
+    motion.loops.solution(b).accelerating(local);
+    if (!are_alike<System>(b, zdd, local)) {
+      const LoopFactorsOf<Real> loop = chosen_factors<System>(b, independent, terms, factors);
+      const bool is_regular =
+          loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
+      if (!is_regular) return {Code::loop_singular, b};
+      start();
+      ByFactors<System>{b, loop, terms, factors.work, nullptr}.accelerating(local);
+    }
+    for (int c = 0; c < block.coordinates; ++c) zdd[coordinate[c]] = local[c];
+  }
+  return {};
+}
+
+/// Inverse dynamics by pivots of loops and actuators that are chosen here and now.
+template <class System>
+Status pivoted_inverse_dynamics(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                                const typename System::State& state, const RealOf<System>* tau,
+                                const typename System::Derivative& derivative,
+                                typename System::ActuatorForces& forces) noexcept {
+  ActuatedMotion<System> motion;
+  Status status = motion.look(parameters, inputs, state);
+  if (!status.ok()) return status;
+  typename System::Derivative all{};
+  copy(derivative.zdd, all.zdd, System::kCoordinates);
+  if constexpr (System::kBlocks > 0) {
+    status = complete_given<System>(parameters, inputs, state, motion, all.zdd);
+    if (!status.ok()) return status;
+  }
+  status = motion.actuators_status();
+  if (!status.ok()) return status;
+  typename System::RequiredForces needed;
+  System::required_forces(parameters, inputs, state, tau, all, needed);
+  RealOf<System> force[System::kActuators];
+  motion.forces_for(needed.required, force);
+  if (!is_finite(sum(all.zdd, System::kCoordinates) + sum(force, System::kActuators)))
+    return {Code::not_a_number, first_not_finite(derivative.zdd, System::kCoordinates)};
+  copy(force, forces.force, System::kActuators);
+  copy(all.zdd, forces.zdd, System::kCoordinates);
+  return {};
+}
+
 }  // namespace solver_detail
 
 /// Forces of the actuators at a consistent state for the accelerations of the independent coordinates.
-/// Fails: not_a_number, loop_singular where the independent coordinates do not determine the others,
-/// actuators_singular; the forces are then unchanged.
+/// Where the independent coordinates hardly determine the others, all accelerations are read if they are those of a
+/// motion. Fails: not_a_number, loop_singular where neither determines the motion, actuators_singular; the forces are
+/// then unchanged.
 template <class System>
 Status solve_inverse_dynamics(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                               const typename System::State& state, const RealOf<System>* tau,
@@ -46,6 +138,11 @@ Status solve_inverse_dynamics(const typename System::Parameters& parameters, con
   typename System::InverseDynamics values;
   System::inverse_dynamics(parameters, inputs, state, tau, derivative, values);
   const Status status = actuation_status<System>(values, derivative);
+  if constexpr (kPivotsActuators<System>) {
+    const bool may_choose = status.code == Code::loop_singular ||
+                            (status.code == Code::actuators_singular && System::kActuators > System::kFreeDirections);
+    if (may_choose) return pivoted_inverse_dynamics<System>(parameters, inputs, state, tau, derivative, forces);
+  }
   if (!status.ok()) return status;
   copy(values.force, forces.force, System::kActuators);
   copy(values.zdd, forces.zdd, System::kCoordinates);
