@@ -146,43 +146,48 @@ double estimate_sigmas(FitProblem& problem, const std::vector<double>& values) {
   return change;
 }
 
-/// Data, predictions and their differences of every channel of every file; warnings of the judged motions.
-void add_channels(const FitProblem& problem, FitResult& result) {
-  for (std::size_t f = 0; f < problem.files.size(); ++f) {
-    const MeasuredFile& file = problem.files[f];
-    const Outcome outcome = outcome_of(problem, f, result.values, Care::judged);
-    for (const std::string& warning : outcome.warnings)
-      result.warnings.push_back(fmt::format("{}: at the result: {}", file.path, warning));
-    if (!outcome.failure.empty()) {
-      result.warnings.push_back(fmt::format("{}: at the result: {}", file.path, outcome.failure));
-      continue;
-    }
-    for (std::size_t c = 0; c < file.channels.size(); ++c) {
-      const MeasuredChannel& measured = file.channels[c];
-      const Channel& channel = problem.channels[static_cast<std::size_t>(measured.channel)];
-      ChannelFit of{.file = file.path,
-                    .channel = channel.name,
-                    .unit = channel.unit,
-                    .is_held_out = file.is_held_out,
-                    .is_of_rig = file.is_of_rig(),
-                    .sigma = channel.sigma,
-                    .is_sigma_estimated = !channel.has_sigma,
-                    .at = measured.at,
-                    .data = measured.values};
-      of.model = predictions(problem, measured, outcome.series[c], result.values);
-      std::vector<double> errors;
-      double squares = 0;
-      for (std::size_t k = 0; k < of.data.size(); ++k) {
-        errors.push_back(of.model[k] - of.data[k]);
-        squares += errors.back() * errors.back();
-      }
-      of.rms = std::sqrt(squares / static_cast<double>(errors.size()));
-      const double of_data = deviation_of(of.data), of_errors = deviation_of(errors);
-      of.explained = of_data > 0 ? 1 - of_errors * of_errors / (of_data * of_data) : 0;
-      of.whiteness = whiteness_of(errors);
-      result.channels.push_back(std::move(of));
-    }
+/// Data, predictions and their differences of a channel.
+ChannelFit fit_of(const FitProblem& problem, const MeasuredFile& file, const MeasuredChannel& measured,
+                  const Series& series, const std::vector<double>& values) {
+  const Channel& channel = problem.channels[static_cast<std::size_t>(measured.channel)];
+  ChannelFit of{.file = file.path,
+                .channel = channel.name,
+                .unit = channel.unit,
+                .is_held_out = file.is_held_out,
+                .is_of_rig = file.is_of_rig(),
+                .sigma = channel.sigma,
+                .is_sigma_estimated = !channel.has_sigma,
+                .at = measured.at,
+                .data = measured.values};
+  of.model = predictions(problem, measured, series, values);
+  std::vector<double> errors;
+  double squares = 0;
+  for (std::size_t k = 0; k < of.data.size(); ++k) {
+    errors.push_back(of.model[k] - of.data[k]);
+    squares += errors.back() * errors.back();
   }
+  of.rms = std::sqrt(squares / static_cast<double>(errors.size()));
+  const double of_data = deviation_of(of.data), of_errors = deviation_of(errors);
+  of.explained = of_data > 0 ? 1 - of_errors * of_errors / (of_data * of_data) : 0;
+  of.whiteness = whiteness_of(errors);
+  return of;
+}
+
+/// Every channel of every file at the result; warnings of the judged motions.
+void add_channels(const FitProblem& problem, FitResult& result) {
+  const std::vector<Outcome> outcomes =
+      outcomes_of(problem, result.values, Care::judged, [](const Work&) { return true; });
+  for (std::size_t w = 0; w < outcomes.size(); ++w) {
+    const auto warn = [&](const std::string& text) {
+      result.warnings.push_back(fmt::format("{}: at the result: {}", problem.works[w].name, text));
+    };
+    for (const std::string& warning : outcomes[w].warnings) warn(warning);
+    if (!outcomes[w].failure.empty()) warn(outcomes[w].failure);
+  }
+  for (const MeasuredFile& file : problem.files)
+    for (const MeasuredChannel& measured : file.channels)
+      if (const Series* series = series_of(outcomes, measured))
+        result.channels.push_back(fit_of(problem, file, measured, *series, result.values));
 }
 
 /// One line that tells a fit from others.
@@ -268,7 +273,7 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
                    .model_file = arguments.model.path,
                    .engine = model.choice.name,
                    .derivatives = kind_of_derivatives(problem)};
-  for (const MeasureSource& source : problem.points.sources)
+  for (const MeasureSource& source : problem.measures.sources)
     if (source.of == MeasureSource::Of::motion) result.engine = source.study.choice.name;
   if (!model.why_differences.empty()) print_message("fit: derivatives by differences: {}\n", model.why_differences);
   Search steps(problem, loss, journal);
