@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "compiler/algebra/dense.hpp"
 #include "workbench/search/differences.hpp"
 
 namespace mbgen::fit {
@@ -12,9 +14,33 @@ namespace {
 /// One evaluation of a work at a distance from the point, for the derivative by an unknown.
 struct Evaluation {
   std::size_t work = 0, unknown = 0;
-  double offset = 0, weight = 0;  ///< of the unknown; of this evaluation in the derivative
+  double steps = 0, weight = 0;     ///< from the point; of this evaluation in the derivative
+  std::vector<double> values = {};  ///< of the unknowns
   Outcome outcome = {};
 };
+
+/// Step of the entries of an inertia's factor. Along them inertias stay those of bodies.
+constexpr double kStepOfFactor = 1e-4;
+
+/// Adds the evaluations for the derivative by an unknown: of an inertia by the entry of its factor.
+void add_evaluations(const FitProblem& problem, std::size_t work, std::size_t unknown,
+                     const std::vector<double>& values, std::vector<Evaluation>& list) {
+  std::size_t entry = 0;
+  const FreeInertia* inertia = inertia_of_unknown(problem.inertias, unknown, entry);
+  DifferenceFormula formula = difference_formula(problem.unknowns[unknown], values[unknown]);
+  if (inertia != nullptr) formula.step = kStepOfFactor;
+  for (const auto& [steps, weight] : formula.terms) {
+    Evaluation one{work, unknown, steps, weight / formula.step, values, {}};
+    if (inertia != nullptr) {
+      std::array<double, 6> factor = factor_of(*inertia, values);
+      factor[entry] += steps * formula.step;
+      set_inertia(*inertia, factor, one.values);
+    } else {
+      one.values[unknown] += steps * formula.step;
+    }
+    list.push_back(std::move(one));
+  }
+}
 
 double value_or(const std::vector<double>& values, int unknown, double without) {
   return unknown < 0 ? without : values[static_cast<std::size_t>(unknown)];
@@ -77,9 +103,7 @@ std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vec
       const Unknown& unknown = problem.unknowns[u];
       if (!outcomes[w].derivatives.empty() && unknown.kind == Unknown::Kind::parameter) continue;
       if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != problem.works[w].run)) continue;
-      const DifferenceFormula formula = difference_formula(unknown, values[u]);
-      for (const auto& [steps, weight] : formula.terms)
-        list.push_back({w, u, steps * formula.step, weight / formula.step});
+      add_evaluations(problem, w, u, values, list);
     }
   }
   return list;
@@ -131,19 +155,32 @@ Eigen::VectorXd residuals_of(const FitProblem& problem, const std::vector<Outcom
   return result;
 }
 
+/// Columns by the entries of factors become columns by those of inertias.
+void chain_to_inertias(const FitProblem& problem, const std::vector<double>& values, Eigen::MatrixXd& columns) {
+  for (const FreeInertia& inertia : problem.inertias) {
+    const std::vector<int> own = columns_of(inertia);
+    const Eigen::MatrixXd slopes = slopes_of_inertia(inertia, factor_of(inertia, values)).transpose();
+    const Eigen::MatrixXd by_factor = columns(Eigen::all, own).transpose();
+    columns(Eigen::all, own) = solved(slopes, by_factor).transpose();
+  }
+}
+
 /// Adds the derivatives of a block of residuals by the unknowns that move the model.
 void add_differences(const FitProblem& problem, const std::vector<Evaluation>& evaluations,
                      const std::vector<double>& values, const MeasuredChannel& measured, int row,
                      Eigen::MatrixXd& jacobian) {
   const Channel& channel = channel_of(problem, measured);
   const double gain = value_or(values, channel.gain, 1), delay = value_or(values, channel.delay, 0);
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measured.at.size()), jacobian.cols());
   for (const Evaluation& one : evaluations) {
     if (one.work != measured.work) continue;
     const Series& series = one.outcome.series[measured.place];
     for (std::size_t k = 0; k < measured.at.size(); ++k)
-      jacobian(row + static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(one.unknown)) +=
+      columns(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(one.unknown)) +=
           one.weight * gain * at(series, measured.at[k] - delay).value / channel.sigma;
   }
+  chain_to_inertias(problem, values, columns);
+  jacobian.middleRows(row, columns.rows()) += columns;
 }
 
 /// Adds the exact derivatives of a block of residuals by the free parameters.
@@ -178,10 +215,8 @@ Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) 
   std::vector<Evaluation> evaluations = evaluations_at(problem, outcomes, values);
   run_tasks(problem, evaluations.size(), [&](std::size_t k) {
     Evaluation& one = evaluations[k];
-    std::vector<double> moved = values;
-    moved[one.unknown] += one.offset;
     one.outcome =
-        one.offset == 0 ? outcomes[one.work] : outcome_of(problem, problem.works[one.work], moved, Care::quick);
+        one.steps == 0 ? outcomes[one.work] : outcome_of(problem, problem.works[one.work], one.values, Care::quick);
   });
   result.values.setZero(residual_count(problem), static_cast<Eigen::Index>(problem.unknowns.size()));
   for (const Evaluation& one : evaluations) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "workbench/fit/fit_motion.hpp"
+#include "workbench/fit/physical_inertias.hpp"
 #include "workbench/search/measure_sources.hpp"
 
 namespace mbgen::fit {
@@ -24,6 +25,7 @@ struct FitProblem {
   const FreeModel& model;
   std::vector<Channel> channels;
   std::vector<Unknown> unknowns;
+  std::vector<FreeInertia> inertias;  ///< among the unknowns
   std::vector<MeasuredFile> files;
   MeasureSet measures = {};  ///< of rig curves and targets
   std::vector<Work> works = {};

@@ -114,9 +114,11 @@ FitProblem read_problem(const FitArguments& arguments, FreeModel& model) {
   };
   prepare(model, unknowns, {std::ranges::any_of(files, is_run), std::ranges::any_of(channels, is_mode)});
   if (!model.is_tuned) print_message("fit: the model is analysed anew for each value: {}\n", model.why_not_tuned);
+  std::vector<FreeInertia> inertias = free_inertias(model.model, unknowns);
   FitProblem problem{.model = model,
                      .channels = std::move(channels),
                      .unknowns = std::move(unknowns),
+                     .inertias = std::move(inertias),
                      .files = std::move(files),
                      .jobs = arguments.jobs};
   set_sizes(problem);
