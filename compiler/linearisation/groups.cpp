@@ -11,6 +11,29 @@ std::vector<double> group_of(const Groups& groups, SlotGroup name, int size) {
   return group;
 }
 
+std::vector<Groups> evaluate(const Program& program, const Groups& inputs, SlotGroup varied,
+                             const std::vector<std::vector<double>>& values) {
+  std::vector<double> all;
+  all.reserve(program.inputs.size() * values.size());
+  for (const Slot& slot : program.inputs) {
+    const auto index = static_cast<std::size_t>(slot.index);
+    const double known = slot.group == varied ? 0 : inputs.at(slot.group).at(index);
+    for (const std::vector<double>& one : values) all.push_back(slot.group == varied ? one.at(index) : known);
+  }
+  const std::vector<double> results = interpret(program, all, values.size());
+  std::vector<Groups> outputs(values.size());
+  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+    const Slot& slot = program.outputs[i].slot;
+    const auto index = static_cast<std::size_t>(slot.index);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      std::vector<double>& group = outputs[k][slot.group];
+      group.resize(std::max(group.size(), index + 1));
+      group[index] = results[i * values.size() + k];
+    }
+  }
+  return outputs;
+}
+
 Groups evaluate(const Program& program, const Groups& inputs) {
   std::vector<double> values;
   for (const Slot& slot : program.inputs) {

@@ -71,10 +71,12 @@ class Derivatives {
   Eigen::MatrixXd closing() {
     const int n = size_of(Array::z);
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n, n);
-    for (int i = 0; i < n && programs_.has_closure; ++i) {
-      const Groups moved = run(programs_.closure, unit_direction(Array::z, i));
-      columns.col(i) = vector_of(group_of(moved, derivative_of(Array::dz), n));
-    }
+    if (!programs_.has_closure || n == 0) return columns;
+    std::vector<Groups> directions;
+    for (int i = 0; i < n; ++i) directions.push_back(unit_direction(Array::z, i));
+    const std::vector<Groups> moved = run(programs_.closure, directions);
+    for (int i = 0; i < n; ++i)
+      columns.col(i) = vector_of(group_of(moved[static_cast<std::size_t>(i)], derivative_of(Array::dz), n));
     return columns;
   }
 
@@ -86,42 +88,44 @@ class Derivatives {
     return direction;
   }
 
-  /// Completes a direction of states or inputs and computes its rates: groups z, zd, zdd, xd, y.
-  Groups along(SlotGroup group, int index, const PositionStates& positions) {
-    Groups direction = unit_direction(group, index);
+  /// Completes directions of states or inputs by their rates: groups z, zd, zdd, xd, y.
+  void complete(const PositionStates& positions, std::vector<Groups>& directions) {
+    if (directions.empty()) return;
+    const auto take = [&](const std::vector<Groups>& found, SlotGroup group, SlotGroup from, int size) {
+      for (std::size_t i = 0; i < found.size(); ++i)
+        directions[i][group] = group_of(found[i], derivative_of(from), size);
+    };
     if (programs_.has_closure) {
-      close(positions, direction);
-      direction[Array::zd] = group_of(run(programs_.closure, direction), derivative_of(Array::zd), size_of(Array::z));
+      close(positions, directions);
+      take(run(programs_.closure, directions), Array::zd, Array::zd, size_of(Array::z));
     }
-    const Groups rates = run(programs_.accelerations, direction);
-    direction[Array::zdd] = group_of(rates, derivative_of(Array::zdd), size_of(Array::z));
+    const std::vector<Groups> rates = run(programs_.accelerations, directions);
+    take(rates, Array::zdd, Array::zdd, size_of(Array::z));
     if (programs_.has_multipliers) {
-      const Groups forces = run(programs_.multipliers, direction);
-      direction[Array::lambda] = group_of(forces, derivative_of(Array::lambda), size_of(Array::lambda));
-      direction[Array::drive] = group_of(forces, derivative_of(Array::drive), size_of(Array::drive));
+      const std::vector<Groups> forces = run(programs_.multipliers, directions);
+      for (const Array name : {Array::lambda, Array::drive}) take(forces, name, name, size_of(name));
     }
-    return {{Array::z, direction[Array::z]},
-            {Array::zd, direction[Array::zd]},
-            {Array::zdd, direction[Array::zdd]},
-            {Array::xd, group_of(rates, derivative_of(Array::xd), size_of(Array::x))},
-            {Array::y, group_of(run(programs_.outputs, direction), derivative_of(Array::y), outputs_)}};
+    const std::vector<Groups> outputs = run(programs_.outputs, directions);
+    take(rates, Array::xd, Array::xd, size_of(Array::x));
+    take(outputs, Array::y, Array::y, outputs_);
   }
 
   /// The point itself: groups zd, zdd, xd and others.
   const Groups& known() const { return known_; }
 
  private:
-  /// Closes the loops along a direction of positions, with the given positions of states.
-  void close(const PositionStates& positions, Groups& direction) {
-    const std::vector<double> given = direction[Array::z];
-    std::vector<double>& z = direction[Array::z];
-    const std::vector<double> moved =
-        group_of(run(programs_.closure, direction), derivative_of(Array::dz), size_of(Array::z));
-    for (std::size_t i = 0; i < moved.size(); ++i) z[i] += moved[i];
-    for (Eigen::Index j = 0; j < positions.along.cols(); ++j) {
-      const auto state = static_cast<std::size_t>(positions.coordinates[static_cast<std::size_t>(j)]);
-      const double by = given[state] - z[state];
-      for (std::size_t i = 0; i < z.size(); ++i) z[i] += by * positions.along(static_cast<Eigen::Index>(i), j);
+  /// Closes the loops along directions of positions, with the given positions of states.
+  void close(const PositionStates& positions, std::vector<Groups>& directions) {
+    const std::vector<Groups> found = run(programs_.closure, directions);
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+      std::vector<double>& z = directions[d][Array::z];
+      const std::vector<double> given = z, moved = group_of(found[d], derivative_of(Array::dz), size_of(Array::z));
+      for (std::size_t i = 0; i < moved.size(); ++i) z[i] += moved[i];
+      for (Eigen::Index j = 0; j < positions.along.cols(); ++j) {
+        const auto state = static_cast<std::size_t>(positions.coordinates[static_cast<std::size_t>(j)]);
+        const double by = given[state] - z[state];
+        for (std::size_t i = 0; i < z.size(); ++i) z[i] += by * positions.along(static_cast<Eigen::Index>(i), j);
+      }
     }
   }
 
@@ -130,9 +134,11 @@ class Derivatives {
     return found->size;
   }
 
-  Groups run(const Program& program, const Groups& direction) {
-    known_[Array::seed] = joined(groups_, direction);
-    return evaluate(program, known_);
+  std::vector<Groups> run(const Program& program, const std::vector<Groups>& directions) const {
+    std::vector<std::vector<double>> seeds;
+    seeds.reserve(directions.size());
+    for (const Groups& direction : directions) seeds.push_back(joined(groups_, direction));
+    return evaluate(program, known_, Array::seed, seeds);
   }
 
   const DirectionalPrograms& programs_;
@@ -229,15 +235,19 @@ Result<LinearSystem> linearise(const Model& model, const Topology& topology, con
   system.coordinates.resize(layout.coordinates, size);
   system.drift = rates_of(system.states, derivatives.known());
   constexpr Array kGroups[] = {Array::z, Array::zd, Array::x};
+  std::vector<Groups> directions;
+  for (const LinearState& state : system.states)
+    directions.push_back(derivatives.unit_direction(kGroups[static_cast<int>(state.kind)], state.index));
+  for (int j = 0; j < inputs; ++j) directions.push_back(derivatives.unit_direction(Array::in, j));
+  derivatives.complete(positions, directions);
   for (Eigen::Index j = 0; j < size; ++j) {
-    const LinearState& state = system.states[static_cast<std::size_t>(j)];
-    const Groups rates = derivatives.along(kGroups[static_cast<int>(state.kind)], state.index, positions);
+    const Groups& rates = directions[static_cast<std::size_t>(j)];
     system.A.col(j) = rates_of(system.states, rates);
     system.C.col(j) = vector_of(rates.at(Array::y));
     system.coordinates.col(j) = vector_of(rates.at(Array::z));
   }
-  for (int j = 0; j < inputs; ++j) {
-    const Groups rates = derivatives.along(Array::in, j, positions);
+  for (Eigen::Index j = 0; j < inputs; ++j) {
+    const Groups& rates = directions[static_cast<std::size_t>(size + j)];
     system.B.col(j) = rates_of(system.states, rates);
     system.D.col(j) = vector_of(rates.at(Array::y));
   }

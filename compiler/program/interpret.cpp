@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "compiler/program/arithmetic.hpp"
@@ -53,13 +54,118 @@ void count(OperationCount& total, Op op, int lanes) {
   }
 }
 
+/// A value at sets of inputs side by side.
+constexpr std::size_t kLanes = 8;
+using Lanes = std::array<double, kLanes>;
+
+Lanes applied(Op op, const Lanes& first, const Lanes& second, const Lanes& third) {
+  Lanes result;
+  const auto each = [&](const auto& operation) {
+    for (std::size_t i = 0; i < kLanes; ++i) result[i] = operation(first[i], second[i], third[i]);
+  };
+  switch (op) {
+    case Op::add:
+      each([](double a, double b, double) { return a + b; });
+      break;
+    case Op::subtract:
+      each([](double a, double b, double) { return a - b; });
+      break;
+    case Op::multiply:
+      each([](double a, double b, double) { return a * b; });
+      break;
+    case Op::divide:
+      each([](double a, double b, double) { return a / b; });
+      break;
+    case Op::negate:
+      each([](double a, double, double) { return -a; });
+      break;
+    default:
+      each([op](double a, double b, double c) { return apply(op, a, b, c); });
+  }
+  return result;
+}
+
+Lanes in_all(double value) {
+  Lanes result;
+  result.fill(value);
+  return result;
+}
+
+/// The values of a program at kLanes sets of inputs.
+class SideBySide {
+ public:
+  explicit SideBySide(const Program& program)
+      : program_(program), values_(program.nodes.size()), varies_(program.nodes.size(), 0) {}
+
+  void run(const std::vector<Lanes>& inputs) {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const Node& node = program_.nodes[i];
+      if (node.op == Op::constant) {
+        values_[i] = in_all(node.constant);
+      } else if (node.op == Op::input) {
+        values_[i] = inputs[static_cast<std::size_t>(node.input)];
+        const double first = values_[i].front();
+        varies_[i] = std::ranges::any_of(values_[i], [&](double value) { return value != first; });
+      } else {
+        compute(node, i);
+      }
+    }
+  }
+  const Lanes& value(std::size_t node) const { return values_[node]; }
+
+ private:
+  void compute(const Node& node, std::size_t i) {
+    const int count = arity(node.op);
+    const Lanes* operands[3] = {&none_, &none_, &none_};
+    varies_[i] = 0;
+    for (int k = 0; k < count; ++k) {
+      operands[k] = &values_[node.operands[k]];
+      if (varies_[node.operands[k]] != 0) varies_[i] = 1;
+    }
+    const auto& [first, second, third] = operands;
+    if (node.op == Op::sample) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) values_[i][lane] = sample_of(*program_.samples, (*first)[lane]);
+    } else if (varies_[i] != 0) {
+      values_[i] = applied(node.op, *first, *second, *third);
+    } else {
+      values_[i] = in_all(apply(node.op, first->front(), second->front(), third->front()));
+    }
+  }
+
+  const Program& program_;
+  const Lanes none_{};
+  std::vector<Lanes> values_;
+  std::vector<char> varies_;
+};
+
+void require_inputs(const Program& program, std::size_t given) {
+  if (given == program.inputs.size()) return;
+  throw std::invalid_argument(
+      fmt::format("program {} has {} inputs, {} given", program.name, program.inputs.size(), given));
+}
+
 }  // namespace
 
-std::vector<double> interpret(const Program& program, std::span<const double> inputs) {
-  if (inputs.size() != program.inputs.size()) {
-    throw std::invalid_argument(
-        fmt::format("program {} has {} inputs, {} given", program.name, program.inputs.size(), inputs.size()));
+std::vector<double> interpret(const Program& program, std::span<const double> inputs, std::size_t sets) {
+  require_inputs(program, inputs.size() / sets);
+  if (has_pairs(program)) return interpret(unfolded(program), inputs, sets);
+  std::vector<double> result(program.outputs.size() * sets);
+  SideBySide lanes(program);
+  std::vector<Lanes> taken(program.inputs.size());
+  for (std::size_t from = 0; from < sets; from += kLanes) {
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        taken[i][lane] = inputs[i * sets + std::min(from + lane, sets - 1)];
+    lanes.run(taken);
+    for (std::size_t i = 0; i < program.outputs.size(); ++i)
+      for (std::size_t lane = 0; lane < std::min(kLanes, sets - from); ++lane)
+        result[i * sets + from + lane] = lanes.value(program.outputs[i].value)[lane];
   }
+  return result;
+}
+
+std::vector<double> interpret(const Program& program, std::span<const double> inputs) {
+  require_inputs(program, inputs.size());
   if (has_pairs(program)) return interpret(unfolded(program), inputs);
   std::vector<double> values(program.nodes.size());
   for (std::size_t i = 0; i < values.size(); ++i) {

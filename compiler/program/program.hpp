@@ -245,6 +245,10 @@ Program verified(Program program);
 /// Fails: std::invalid_argument when the number of inputs differs.
 std::vector<double> interpret(const Program& program, std::span<const double> inputs);
 
+/// The same at several sets of inputs, with the same bits. inputs: each input of all sets, one after another. Result:
+/// each output of all sets likewise. Values that do not depend on an input that differs are computed once.
+std::vector<double> interpret(const Program& program, std::span<const double> inputs, std::size_t sets);
+
 /// "step 4, block 0", "" for no step.
 std::string text_of(const Section& section);
 /// "tree_body 3", "" for none.

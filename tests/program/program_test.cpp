@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <random>
 #include <vector>
@@ -94,6 +96,39 @@ TEST(Rules, ConstantsThatAreNotFiniteAreComputedWhereTheyAreUsed) {
     const double result = interpret(builder.finish(), std::vector<double>{1})[0];
     EXPECT_TRUE(result == value.constant() || (std::isnan(result) && std::isnan(value.constant()))) << result;
   }
+}
+
+TEST(Interpretation, OfSetsSideBySideHasTheBitsOfOneAfterAnother) {
+  ProgramBuilder builder("f");
+  const Expr x(builder, builder.input(Array::in, 0)), y(builder, builder.input(Array::in, 1)),
+      same(builder, builder.input(Array::in, 2));
+  const Expr fixed = sin(same) / (same - 3.0);
+  builder.output(Array::y, 0, (select(x - y, fixed * x, -y) + sqrt(abs(x * y)) - fixed).value(builder));
+  builder.output(Array::y, 1, fixed.value(builder));
+  builder.output(Array::y, 2, (atan2(x, same) + max(y, cos(x))).value(builder));
+  const Program program = builder.finish();
+  constexpr std::size_t kSets = 19;  // two rows of lanes, and a third that is not full
+  std::vector<double> all;
+  const auto at = [](std::size_t input, std::size_t set) {
+    if (input == 2) return 0.7;
+    return set == 11 ? std::nan("") : std::sin(1.0 + 7.0 * static_cast<double>(input) + static_cast<double>(set));
+  };
+  for (std::size_t i = 0; i < program.inputs.size(); ++i)
+    for (std::size_t k = 0; k < kSets; ++k) all.push_back(at(static_cast<std::size_t>(program.inputs[i].index), k));
+  const std::vector<double> found = interpret(program, all, kSets);
+  for (std::size_t k = 0; k < kSets; ++k) {
+    std::vector<double> one;
+    for (const Slot& slot : program.inputs) one.push_back(at(static_cast<std::size_t>(slot.index), k));
+    const std::vector<double> expected = interpret(program, one);
+    for (std::size_t o = 0; o < expected.size(); ++o) {
+      const double value = found[o * kSets + k];
+      const bool is_same = std::isnan(expected[o])
+                               ? std::isnan(value)
+                               : std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(expected[o]);
+      EXPECT_TRUE(is_same) << "set " << k << ", output " << o;
+    }
+  }
+  EXPECT_THROW(interpret(program, std::vector<double>(5), 2), std::invalid_argument);
 }
 
 TEST(Builder, SharesEqualValuesAndNamesTheFirst) {

@@ -109,7 +109,9 @@ void add_fit(NamedCommand application, int& exit_code) {
       .one_value_at_a_time();
   command
       .add_option("--free", fit.free,
-                  "NAME, NAME=LOW:HIGH or NAME=LOW:START:HIGH: parameters that are found; separated by commas")
+                  "NAME, NAME=LOW:HIGH, NAME=LOW:START:HIGH or (entries of an inertia) NAME=physical: parameters that "
+                  "are found; "
+                  "separated by commas")
       .required()
       .separated_by(',');
   command.add_option("--hold-out", fit.held_out, "measured runs that only test the result; separated by commas")

@@ -11,178 +11,56 @@
 #include "compiler/text/user_error.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/fit/fit_reading.hpp"
-#include "workbench/fit/unit_doubts.hpp"
-#include "workbench/host/blocked_signals.hpp"
+#include "workbench/fit/fit_search.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/message.hpp"
 #include "workbench/host/process.hpp"
-#include "workbench/host/progress.hpp"
-#include "workbench/search/evaluation_journal.hpp"
 
 namespace mbgen::fit {
 namespace {
 
-/// Rounds in which standard deviations of noise are estimated, and the change that ends them.
-constexpr int kMostRounds = 12;
-constexpr double kSameSigma = 1e-4;
-
-/// The fit in scaled unknowns, with a journal.
-class Search {
- public:
-  Search(FitProblem& problem, const Loss& loss, EvaluationJournal& journal)
-      : problem_(problem), loss_(loss), journal_(journal) {}
-
-  std::vector<double> unscaled(const Eigen::VectorXd& scaled) const {
-    std::vector<double> values;
-    for (std::size_t u = 0; u < problem_.unknowns.size(); ++u) {
-      const Unknown& unknown = problem_.unknowns[u];
-      values.push_back(std::clamp(scaled[static_cast<Eigen::Index>(u)] * unknown.scale, unknown.lower, unknown.upper));
-    }
-    return values;
+/// Data, predictions and their differences of a channel.
+ChannelFit fit_of(const FitProblem& problem, const MeasuredFile& file, const MeasuredChannel& measured,
+                  const Series& series, const std::vector<double>& values) {
+  const Channel& channel = problem.channels[static_cast<std::size_t>(measured.channel)];
+  ChannelFit of{.file = file.path,
+                .channel = channel.name,
+                .unit = channel.unit,
+                .is_held_out = file.is_held_out,
+                .is_of_rig = file.is_of_rig(),
+                .sigma = channel.sigma,
+                .is_sigma_estimated = !channel.has_sigma,
+                .at = measured.at,
+                .data = measured.values};
+  of.model = predictions(problem, measured, series, values);
+  std::vector<double> errors;
+  double squares = 0;
+  for (std::size_t k = 0; k < of.data.size(); ++k) {
+    errors.push_back(of.model[k] - of.data[k]);
+    squares += errors.back() * errors.back();
   }
-
-  /// Reduced residuals; their derivatives are by the scaled unknowns. Known results are not computed again.
-  bool evaluate(const std::vector<double>& values, bool with_jacobian, Reduced& result) {
-    const std::string arguments = arguments_of(values, with_jacobian);
-    if (const std::vector<double>* numbers = journal_.find(arguments)) {
-      result = unpacked(*numbers, with_jacobian);
-      return true;
-    }
-    if (!compute(values, with_jacobian, result)) return false;
-    journal_.add(arguments, packed(result));
-    return true;
-  }
-
-  LeastSquares problem(const Eigen::VectorXd& start, const std::function<bool(int, double)>& goes_on) {
-    const auto size = static_cast<Eigen::Index>(problem_.unknowns.size());
-    LeastSquares task{start,  Eigen::VectorXd(size), Eigen::VectorXd(size), reduced_rows(static_cast<int>(size)), {},
-                      goes_on};
-    for (Eigen::Index u = 0; u < size; ++u) {
-      const Unknown& unknown = problem_.unknowns[static_cast<std::size_t>(u)];
-      task.lower[u] = unknown.lower / unknown.scale;
-      task.upper[u] = unknown.upper / unknown.scale;
-    }
-    task.evaluate = [this](const Eigen::VectorXd& scaled, bool with_jacobian, Reduced& result) {
-      return evaluate(unscaled(scaled), with_jacobian, result);
-    };
-    return task;
-  }
-
-  const std::string& failure() const { return failure_; }
-
- private:
-  std::string arguments_of(const std::vector<double>& values, bool with_jacobian) const {
-    std::string text = with_jacobian ? "slope" : "cost";
-    for (const Channel& channel : problem_.channels) text += fmt::format(" {}", channel.sigma);
-    for (const double value : values) text += fmt::format(" {}", value);
-    return text;
-  }
-
-  bool compute(const std::vector<double>& values, bool with_jacobian, Reduced& result) {
-    const auto size = static_cast<Eigen::Index>(problem_.unknowns.size());
-    if (!with_jacobian) {
-      const Residuals at = residuals(problem_, values);
-      failure_ = at.failure;
-      if (at.failure.empty()) result = reduced(at.values, Eigen::MatrixXd(0, size), loss_);
-    } else {
-      Jacobian at = jacobian(problem_, values);
-      failure_ = at.failure;
-      for (Eigen::Index u = 0; u < size && at.failure.empty(); ++u)
-        at.values.col(u) *= problem_.unknowns[static_cast<std::size_t>(u)].scale;
-      if (at.failure.empty()) result = reduced(at.residuals, at.values, loss_);
-    }
-    return failure_.empty() && result.residuals.allFinite() && result.jacobian.allFinite();
-  }
-
-  static std::vector<double> packed(const Reduced& result) {
-    std::vector<double> numbers(result.residuals.begin(), result.residuals.end());
-    for (Eigen::Index r = 0; r < result.jacobian.rows(); ++r)
-      for (Eigen::Index c = 0; c < result.jacobian.cols(); ++c) numbers.push_back(result.jacobian(r, c));
-    return numbers;
-  }
-
-  Reduced unpacked(const std::vector<double>& numbers, bool with_jacobian) const {
-    const auto columns = static_cast<Eigen::Index>(problem_.unknowns.size());
-    const Eigen::Index rows = reduced_rows(static_cast<int>(columns));
-    Reduced result;
-    result.residuals = Eigen::Map<const Eigen::VectorXd>(numbers.data(), rows);
-    if (!with_jacobian) return result;
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    result.jacobian = Eigen::Map<const Rows>(numbers.data() + rows, rows, columns);
-    return result;
-  }
-
-  FitProblem& problem_;
-  Loss loss_;
-  EvaluationJournal& journal_;
-  std::string failure_;
-};
-
-/// Sets noises that were not given to the deviations of the residuals. Result: the largest relative change.
-double estimate_sigmas(FitProblem& problem, const std::vector<double>& values) {
-  const Residuals at = residuals(problem, values);
-  if (!at.failure.empty()) return 0;
-  const double freedoms = std::max(1.0, static_cast<double>(at.values.size()) - static_cast<double>(values.size()));
-  const double share = static_cast<double>(at.values.size()) / freedoms;
-  std::vector<double> squares(problem.channels.size(), 0), counts(problem.channels.size(), 0);
-  Eigen::Index row = 0;
-  for (const MeasuredFile& file : problem.files) {
-    if (file.is_held_out) continue;
-    for (const MeasuredChannel& measured : file.channels)
-      for (std::size_t k = 0; k < measured.values.size(); ++k, ++row) {
-        squares[static_cast<std::size_t>(measured.channel)] += at.values[row] * at.values[row];
-        counts[static_cast<std::size_t>(measured.channel)] += 1;
-      }
-  }
-  double change = 0;
-  for (std::size_t c = 0; c < problem.channels.size(); ++c) {
-    Channel& channel = problem.channels[c];
-    if (channel.has_sigma) continue;
-    const double least = 1e-9 * size_of(problem.files, static_cast<int>(c));  // data without noise
-    const double sigma = std::max(least, channel.sigma * std::sqrt(share * squares[c] / counts[c]));
-    change = std::max(change, std::abs(sigma / channel.sigma - 1));
-    channel.sigma = sigma;
-  }
-  return change;
+  of.rms = std::sqrt(squares / static_cast<double>(errors.size()));
+  const double of_data = deviation_of(of.data), of_errors = deviation_of(errors);
+  of.explained = of_data > 0 ? 1 - of_errors * of_errors / (of_data * of_data) : 0;
+  of.whiteness = whiteness_of(errors);
+  return of;
 }
 
-/// Data, predictions and their differences of every channel of every file; warnings of the judged motions.
+/// Every channel of every file at the result; warnings of the judged motions.
 void add_channels(const FitProblem& problem, FitResult& result) {
-  for (std::size_t f = 0; f < problem.files.size(); ++f) {
-    const MeasuredFile& file = problem.files[f];
-    const Outcome outcome = outcome_of(problem, f, result.values, Care::judged);
-    for (const std::string& warning : outcome.warnings)
-      result.warnings.push_back(fmt::format("{}: at the result: {}", file.path, warning));
-    if (!outcome.failure.empty()) {
-      result.warnings.push_back(fmt::format("{}: at the result: {}", file.path, outcome.failure));
-      continue;
-    }
-    for (std::size_t c = 0; c < file.channels.size(); ++c) {
-      const MeasuredChannel& measured = file.channels[c];
-      const Channel& channel = problem.channels[static_cast<std::size_t>(measured.channel)];
-      ChannelFit of{.file = file.path,
-                    .channel = channel.name,
-                    .unit = channel.unit,
-                    .is_held_out = file.is_held_out,
-                    .is_of_rig = file.is_of_rig(),
-                    .sigma = channel.sigma,
-                    .is_sigma_estimated = !channel.has_sigma,
-                    .at = measured.at,
-                    .data = measured.values};
-      of.model = predictions(problem, measured, outcome.series[c], result.values);
-      std::vector<double> errors;
-      double squares = 0;
-      for (std::size_t k = 0; k < of.data.size(); ++k) {
-        errors.push_back(of.model[k] - of.data[k]);
-        squares += errors.back() * errors.back();
-      }
-      of.rms = std::sqrt(squares / static_cast<double>(errors.size()));
-      const double of_data = deviation_of(of.data), of_errors = deviation_of(errors);
-      of.explained = of_data > 0 ? 1 - of_errors * of_errors / (of_data * of_data) : 0;
-      of.whiteness = whiteness_of(errors);
-      result.channels.push_back(std::move(of));
-    }
+  const std::vector<Outcome> outcomes =
+      outcomes_of(problem, result.values, Care::judged, [](const Work&) { return true; });
+  for (std::size_t w = 0; w < outcomes.size(); ++w) {
+    const auto warn = [&](const std::string& text) {
+      result.warnings.push_back(fmt::format("{}: at the result: {}", problem.works[w].name, text));
+    };
+    for (const std::string& warning : outcomes[w].warnings) warn(warning);
+    if (!outcomes[w].failure.empty()) warn(outcomes[w].failure);
   }
+  for (const MeasuredFile& file : problem.files)
+    for (const MeasuredChannel& measured : file.channels)
+      if (const Series* series = series_of(outcomes, measured))
+        result.channels.push_back(fit_of(problem, file, measured, *series, result.values));
 }
 
 /// One line that tells a fit from others.
@@ -213,44 +91,6 @@ std::string description_of(const FitArguments& arguments, const FitProblem& prob
   return words.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Searches, with rounds for noises that were not given. Fails: UserError where there is no result at the start.
-void search(Method method, FitProblem& problem, Search& search, const FitArguments& arguments, BlockedSignals& signals,
-            FitResult& result) {
-  Eigen::VectorXd at(static_cast<Eigen::Index>(problem.unknowns.size()));
-  for (std::size_t u = 0; u < problem.unknowns.size(); ++u)
-    at[static_cast<Eigen::Index>(u)] = problem.unknowns[u].start / problem.unknowns[u].scale;
-  Reduced first;
-  if (!search.evaluate(search.unscaled(at), false, first)) {
-    if (signals.taken() != 0) throw Interrupted{signals.taken()};
-    throw UserError(
-        fmt::format("fit: no result at the start values: {}\n  hint: other start values, --free "
-                    "NAME=LOW:START:HIGH, or a smaller --step\n",
-                    search.failure().empty() ? "numbers are not finite" : search.failure()));
-  }
-  result.squares_at_start = first.residuals.squaredNorm();
-  for (const std::string& note : unit_doubts(problem, search.unscaled(at))) print_message("{}", note);
-  StatusLine line;
-  for (int round = 0; round < kMostRounds; ++round) {
-    const LeastSquares squares = search.problem(at, [&](int iteration, double cost) {
-      if (line.is_due()) line.show(fmt::format("fit: iteration {}, sum of squares {:.6g}", iteration, 2 * cost));
-      return signals.taken() == 0;
-    });
-    LeastSquaresResult found;
-    method(squares, arguments.most_iterations, found);
-    line.clear();
-    if (signals.taken() != 0) throw Interrupted{signals.taken()};
-    at = found.unknowns;
-    result.squares = 2 * found.cost;
-    result.iterations += found.iterations;
-    result.converged = found.converged;
-    result.message = found.message;
-    const bool all_given = std::all_of(problem.channels.begin(), problem.channels.end(),
-                                       [](const Channel& channel) { return channel.has_sigma; });
-    if (all_given || estimate_sigmas(problem, search.unscaled(at)) < kSameSigma) break;
-  }
-  result.values = search.unscaled(at);
-}
-
 }  // namespace
 
 FitResult fit_model_to_data(const FitArguments& arguments) {
@@ -268,7 +108,7 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
                    .model_file = arguments.model.path,
                    .engine = model.choice.name,
                    .derivatives = kind_of_derivatives(problem)};
-  for (const MeasureSource& source : problem.points.sources)
+  for (const MeasureSource& source : problem.measures.sources)
     if (source.of == MeasureSource::Of::motion) result.engine = source.study.choice.name;
   if (!model.why_differences.empty()) print_message("fit: derivatives by differences: {}\n", model.why_differences);
   Search steps(problem, loss, journal);
@@ -292,6 +132,12 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   result.files.insert(result.files.end(), arguments.data.begin(), arguments.data.end());
   result.files.insert(result.files.end(), arguments.held_out.begin(), arguments.held_out.end());
   add_channels(problem, result);
+  for (const FreeInertia& inertia : problem.inertias)
+    if (is_at_limit(inertia, result.values))
+      result.warnings.push_back(fmt::format(
+          "the inertia of {} is at the limit of those that bodies have, where a principal moment is the sum "
+          "of the two others: the data pull it beyond; standard errors of its entries are without this limit",
+          inertia.body));
   if (!result.converged)
     result.warnings.push_back(fmt::format("the search did not come to its end: {}", result.message));
   return result;

@@ -15,7 +15,8 @@ namespace mbgen::fit {
 /// Values of one channel in one file, in the units of the model; gaps are left out.
 struct MeasuredChannel {
   int channel = -1;
-  std::vector<double> at, values;  ///< at: s, or the abscissa of a rig's curve
+  std::vector<double> at, values;   ///< at: s, or the abscissa of a rig's curve
+  std::size_t work = 0, place = 0;  ///< the work of FitProblem that gives its series, and where
 };
 
 /// One file: a run, or points of a rig's curve.
@@ -24,7 +25,6 @@ struct MeasuredFile {
   bool is_held_out = false;
   bool is_of_points = false;          ///< single numbers at the start of the model
   std::string axle = {}, curve = {};  ///< of a rig; "" of a run
-  int curve_number = 0;               ///< of the rig's curves, from 0
   std::vector<MeasuredChannel> channels = {};
   std::optional<InputTable> inputs = {};  ///< columns that are inputs of the model
   double end = 0;                         ///< s, of a run: its last row

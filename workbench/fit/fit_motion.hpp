@@ -14,7 +14,7 @@ namespace mbgen::fit {
 /// Series of the quantities of a source, or the reason why there are none.
 struct Outcome {
   std::string failure;
-  std::vector<Series> series;         ///< one for each channel of the file
+  std::vector<Series> series;         ///< one for each channel of a run, or measure of a source
   std::vector<std::string> warnings;  ///< of a judged motion
   /// Of an exact evaluation: derivatives of the series by each free parameter, in the order of the unknowns.
   std::vector<std::vector<Series>> derivatives = {};

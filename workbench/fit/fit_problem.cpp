@@ -3,32 +3,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
+#include <array>
 
-#include "compiler/program/in_threads.hpp"
-#include "workbench/fit/rig_curve.hpp"
+#include "compiler/algebra/dense.hpp"
 #include "workbench/search/differences.hpp"
 
 namespace mbgen::fit {
 namespace {
 
-/// One evaluation of the model: the values of a file at a distance from the point, for the derivative by an unknown.
+/// One evaluation of a work at a distance from the point, for the derivative by an unknown.
 struct Evaluation {
-  std::size_t file = 0, unknown = 0;
-  double offset = 0, weight = 0;  ///< of the unknown; of this evaluation in the derivative
+  std::size_t work = 0, unknown = 0;
+  double steps = 0, weight = 0;     ///< from the point; of this evaluation in the derivative
+  std::vector<double> values = {};  ///< of the unknowns
   Outcome outcome = {};
 };
 
-/// Runs tasks on some threads; those behind a stop are left out.
-void run_tasks(const FitProblem& problem, std::size_t count, const std::function<void(std::size_t)>& task) {
-  std::mutex guard;
-  long done = 0;
-  const auto run = [&](std::size_t k) {
-    if (!problem.is_stopped || !problem.is_stopped()) task(k);
-    const std::lock_guard<std::mutex> lock(guard);
-    if (problem.progress) problem.progress(++done, static_cast<long>(count));
-  };
-  in_threads(count, run, static_cast<std::size_t>(problem.jobs));
+/// Step of the entries of an inertia's factor. Along them inertias stay those of bodies.
+constexpr double kStepOfFactor = 1e-4;
+
+/// Adds the evaluations for the derivative by an unknown: of an inertia by the entry of its factor.
+void add_evaluations(const FitProblem& problem, std::size_t work, std::size_t unknown,
+                     const std::vector<double>& values, std::vector<Evaluation>& list) {
+  std::size_t entry = 0;
+  const FreeInertia* inertia = inertia_of_unknown(problem.inertias, unknown, entry);
+  DifferenceFormula formula = difference_formula(problem.unknowns[unknown], values[unknown]);
+  if (inertia != nullptr) formula.step = kStepOfFactor;
+  for (const auto& [steps, weight] : formula.terms) {
+    Evaluation one{work, unknown, steps, weight / formula.step, values, {}};
+    if (inertia != nullptr) {
+      std::array<double, 6> factor = factor_of(*inertia, values);
+      factor[entry] += steps * formula.step;
+      set_inertia(*inertia, factor, one.values);
+    } else {
+      one.values[unknown] += steps * formula.step;
+    }
+    list.push_back(std::move(one));
+  }
 }
 
 double value_or(const std::vector<double>& values, int unknown, double without) {
@@ -39,17 +50,19 @@ const Channel& channel_of(const FitProblem& problem, const MeasuredChannel& meas
   return problem.channels[static_cast<std::size_t>(measured.channel)];
 }
 
+/// The reason why a work has no result, "" where it has one.
+std::string failure_of(const FitProblem& problem, const Work& work, const Outcome& outcome) {
+  if (problem.is_stopped && problem.is_stopped()) return "interrupted";
+  return outcome.failure.empty() ? "" : fmt::format("{}: {}", work.name, outcome.failure);
+}
+
 /// Outcomes of the fitted files; failure: of the first that has none.
-std::vector<Outcome> all_outcomes(const FitProblem& problem, const std::vector<double>& values, Care care,
-                                  std::string& failure) {
-  std::vector<Outcome> outcomes(problem.files.size());
-  run_tasks(problem, problem.files.size(), [&](std::size_t f) {
-    if (!problem.files[f].is_held_out) outcomes[f] = outcome_of(problem, f, values, care);
-  });
-  for (std::size_t f = 0; f < outcomes.size(); ++f)
-    if (failure.empty() && !outcomes[f].failure.empty())
-      failure = fmt::format("{}: {}", problem.files[f].path, outcomes[f].failure);
-  if (problem.is_stopped && problem.is_stopped()) failure = "interrupted";
+std::vector<Outcome> fitted_outcomes(const FitProblem& problem, const std::vector<double>& values, Care care,
+                                     std::string& failure) {
+  std::vector<Outcome> outcomes =
+      outcomes_of(problem, values, care, [](const Work& work) { return !work.is_held_out; });
+  for (std::size_t w = 0; w < outcomes.size() && failure.empty(); ++w)
+    failure = failure_of(problem, problem.works[w], outcomes[w]);
   return outcomes;
 }
 
@@ -84,15 +97,13 @@ void add_nuisance_columns(const FitProblem& problem, const std::vector<double>& 
 std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<Outcome>& outcomes,
                                        const std::vector<double>& values) {
   std::vector<Evaluation> list;
-  for (std::size_t f = 0; f < problem.files.size(); ++f) {
-    if (problem.files[f].is_held_out) continue;
+  for (std::size_t w = 0; w < problem.works.size(); ++w) {
+    if (problem.works[w].is_held_out) continue;
     for (std::size_t u = 0; u < problem.unknowns.size(); ++u) {
       const Unknown& unknown = problem.unknowns[u];
-      if (!outcomes[f].derivatives.empty() && unknown.kind == Unknown::Kind::parameter) continue;
-      if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != static_cast<int>(f))) continue;
-      const DifferenceFormula formula = difference_formula(unknown, values[u]);
-      for (const auto& [steps, weight] : formula.terms)
-        list.push_back({f, u, steps * formula.step, weight / formula.step});
+      if (!outcomes[w].derivatives.empty() && unknown.kind == Unknown::Kind::parameter) continue;
+      if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != problem.works[w].run)) continue;
+      add_evaluations(problem, w, u, values, list);
     }
   }
   return list;
@@ -101,10 +112,13 @@ std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vec
 }  // namespace
 
 std::string kind_of_derivatives(const FitProblem& problem) {
-  if (!problem.model.tangents) return "central differences";
-  const auto is_run = [](const MeasuredFile& file) { return file.is_run(); };
+  const auto is_exact = [&](const Work& work) {
+    return work.run >= 0 ? problem.model.tangents != nullptr
+                         : problem.measures.sources[static_cast<std::size_t>(work.source)].has_derivatives();
+  };
   const auto is_start = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::start; };
-  const bool are_all = std::ranges::all_of(problem.files, is_run) && std::ranges::none_of(problem.unknowns, is_start);
+  if (std::ranges::none_of(problem.works, is_exact)) return "central differences";
+  const bool are_all = std::ranges::all_of(problem.works, is_exact) && std::ranges::none_of(problem.unknowns, is_start);
   return are_all ? "exact" : "exact of motions by parameters, else central differences";
 }
 
@@ -114,17 +128,6 @@ int residual_count(const FitProblem& problem, bool held) {
     count += static_cast<int>(problem.files[f].channels[c].values.size());
   });
   return count;
-}
-
-Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care) {
-  const MeasuredFile& of = problem.files[file];
-  Outcome outcome = of.is_of_rig() ? rig_curve(problem.model, of, problem.channels, problem.unknowns, values)
-                    : of.is_of_points
-                        ? point_values(problem.model, problem.points, problem.unknowns, values, problem.is_stopped)
-                        : motion_of(problem.model, of, static_cast<int>(file), problem.channels, problem.unknowns,
-                                    values, care, problem.is_stopped);
-  if (outcome.failure.empty() && outcome.series.size() != of.channels.size()) outcome.failure = "interrupted";
-  return outcome;
 }
 
 std::vector<double> predictions(const FitProblem& problem, const MeasuredChannel& measured, const Series& series,
@@ -144,7 +147,7 @@ Eigen::VectorXd residuals_of(const FitProblem& problem, const std::vector<Outcom
   Eigen::VectorXd result(residual_count(problem));
   each_block(problem, false, [&](std::size_t f, std::size_t c, int row) {
     const MeasuredChannel& measured = problem.files[f].channels[c];
-    const std::vector<double> predicted = predictions(problem, measured, outcomes[f].series[c], values);
+    const std::vector<double> predicted = predictions(problem, measured, *series_of(outcomes, measured), values);
     const double sigma = channel_of(problem, measured).sigma;
     for (std::size_t k = 0; k < predicted.size(); ++k)
       result[row + static_cast<Eigen::Index>(k)] = (predicted[k] - measured.values[k]) / sigma;
@@ -152,31 +155,43 @@ Eigen::VectorXd residuals_of(const FitProblem& problem, const std::vector<Outcom
   return result;
 }
 
+/// Columns by the entries of factors become columns by those of inertias.
+void chain_to_inertias(const FitProblem& problem, const std::vector<double>& values, Eigen::MatrixXd& columns) {
+  for (const FreeInertia& inertia : problem.inertias) {
+    const std::vector<int> own = columns_of(inertia);
+    const Eigen::MatrixXd slopes = slopes_of_inertia(inertia, factor_of(inertia, values)).transpose();
+    const Eigen::MatrixXd by_factor = columns(Eigen::all, own).transpose();
+    columns(Eigen::all, own) = solved(slopes, by_factor).transpose();
+  }
+}
+
 /// Adds the derivatives of a block of residuals by the unknowns that move the model.
 void add_differences(const FitProblem& problem, const std::vector<Evaluation>& evaluations,
-                     const std::vector<double>& values, std::size_t file, std::size_t c, int row,
+                     const std::vector<double>& values, const MeasuredChannel& measured, int row,
                      Eigen::MatrixXd& jacobian) {
-  const MeasuredChannel& measured = problem.files[file].channels[c];
   const Channel& channel = channel_of(problem, measured);
   const double gain = value_or(values, channel.gain, 1), delay = value_or(values, channel.delay, 0);
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measured.at.size()), jacobian.cols());
   for (const Evaluation& one : evaluations) {
-    if (one.file != file) continue;
+    if (one.work != measured.work) continue;
+    const Series& series = one.outcome.series[measured.place];
     for (std::size_t k = 0; k < measured.at.size(); ++k)
-      jacobian(row + static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(one.unknown)) +=
-          one.weight * gain * at(one.outcome.series[c], measured.at[k] - delay).value / channel.sigma;
+      columns(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(one.unknown)) +=
+          one.weight * gain * at(series, measured.at[k] - delay).value / channel.sigma;
   }
+  chain_to_inertias(problem, values, columns);
+  jacobian.middleRows(row, columns.rows()) += columns;
 }
 
 /// Adds the exact derivatives of a block of residuals by the free parameters.
 void add_derivatives(const FitProblem& problem, const Outcome& outcome, const std::vector<double>& values,
-                     std::size_t file, std::size_t c, int row, Eigen::MatrixXd& jacobian) {
+                     const MeasuredChannel& measured, int row, Eigen::MatrixXd& jacobian) {
   if (outcome.derivatives.empty()) return;
-  const MeasuredChannel& measured = problem.files[file].channels[c];
   const Channel& channel = channel_of(problem, measured);
   const double gain = value_or(values, channel.gain, 1), delay = value_or(values, channel.delay, 0);
   for (std::size_t u = 0, p = 0; u < problem.unknowns.size(); ++u) {
     if (problem.unknowns[u].kind != Unknown::Kind::parameter) continue;
-    const Series& series = outcome.derivatives[p++][c];
+    const Series& series = outcome.derivatives[p++][measured.place];
     for (std::size_t k = 0; k < measured.at.size(); ++k)
       jacobian(row + static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(u)) =
           gain * at(series, measured.at[k] - delay).value / channel.sigma;
@@ -187,33 +202,34 @@ void add_derivatives(const FitProblem& problem, const Outcome& outcome, const st
 
 Residuals residuals(const FitProblem& problem, const std::vector<double>& values) {
   Residuals result;
-  const std::vector<Outcome> outcomes = all_outcomes(problem, values, Care::quick, result.failure);
+  const std::vector<Outcome> outcomes = fitted_outcomes(problem, values, Care::quick, result.failure);
   if (result.failure.empty()) result.values = residuals_of(problem, outcomes, values);
   return result;
 }
 
 Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) {
   Jacobian result;
-  const std::vector<Outcome> outcomes = all_outcomes(problem, values, Care::exact, result.failure);
+  const std::vector<Outcome> outcomes = fitted_outcomes(problem, values, Care::exact, result.failure);
   if (!result.failure.empty()) return result;
   result.residuals = residuals_of(problem, outcomes, values);
   std::vector<Evaluation> evaluations = evaluations_at(problem, outcomes, values);
   run_tasks(problem, evaluations.size(), [&](std::size_t k) {
     Evaluation& one = evaluations[k];
-    std::vector<double> moved = values;
-    moved[one.unknown] += one.offset;
-    one.outcome = one.offset == 0 ? outcomes[one.file] : outcome_of(problem, one.file, moved, Care::quick);
+    one.outcome =
+        one.steps == 0 ? outcomes[one.work] : outcome_of(problem, problem.works[one.work], one.values, Care::quick);
   });
   result.values.setZero(residual_count(problem), static_cast<Eigen::Index>(problem.unknowns.size()));
-  for (const Evaluation& one : evaluations)
-    if (result.failure.empty() && (!one.outcome.failure.empty() || one.outcome.series.empty()))
-      result.failure = fmt::format("{}: {} beside: {}", problem.files[one.file].path,
-                                   problem.unknowns[one.unknown].name, one.outcome.failure);
+  for (const Evaluation& one : evaluations) {
+    const std::string failure = failure_of(problem, problem.works[one.work], one.outcome);
+    if (result.failure.empty() && !failure.empty())
+      result.failure = fmt::format("{} beside: {}", problem.unknowns[one.unknown].name, failure);
+  }
   if (!result.failure.empty()) return result;
   each_block(problem, false, [&](std::size_t f, std::size_t c, int row) {
-    add_nuisance_columns(problem, values, outcomes[f].series[c], problem.files[f].channels[c], row, result.values);
-    add_derivatives(problem, outcomes[f], values, f, c, row, result.values);
-    add_differences(problem, evaluations, values, f, c, row, result.values);
+    const MeasuredChannel& measured = problem.files[f].channels[c];
+    add_nuisance_columns(problem, values, *series_of(outcomes, measured), measured, row, result.values);
+    add_derivatives(problem, outcomes[measured.work], values, measured, row, result.values);
+    add_differences(problem, evaluations, values, measured, row, result.values);
   });
   return result;
 }

@@ -6,17 +6,29 @@
 #include <string>
 #include <vector>
 
-#include "workbench/fit/point_targets.hpp"
+#include "workbench/fit/fit_motion.hpp"
+#include "workbench/fit/physical_inertias.hpp"
+#include "workbench/search/measure_sources.hpp"
 
 namespace mbgen::fit {
+
+/// A run, or a source of measures: computed once for all the channels that it gives.
+struct Work {
+  std::string name;  ///< for messages: the first file that it serves
+  bool is_held_out = false;
+  int run = -1;     ///< its file, -1 of a source
+  int source = -1;  ///< among those of the measures, -1 of a run
+};
 
 /// A fit that was read and checked.
 struct FitProblem {
   const FreeModel& model;
   std::vector<Channel> channels;
   std::vector<Unknown> unknowns;
+  std::vector<FreeInertia> inertias;  ///< among the unknowns
   std::vector<MeasuredFile> files;
-  MeasureSet points = {};                         ///< of the targets
+  MeasureSet measures = {};  ///< of rig curves and targets
+  std::vector<Work> works = {};
   int jobs = 1;                                   ///< evaluations of the model at a time
   std::function<bool()> is_stopped = {};          ///< thread-safe
   std::function<void(long, long)> progress = {};  ///< evaluations done and to be done, from one thread at a time
@@ -42,15 +54,30 @@ int residual_count(const FitProblem& problem, bool held = false);
 Residuals residuals(const FitProblem& problem, const std::vector<double>& values);
 
 /// Derivatives of the residuals of the fitted files: of motions by parameters exactly, where the model has `tangents`,
-/// and by gain, bias and delay; by the other unknowns that move the model by central differences, at a bound by
-/// differences to the inside, both of second order, with steps of 1e-4 of the unknown's scale: errors near 1e-8.
+/// of metrics likewise, and by gain, bias and delay; by the other unknowns that move the model by central differences,
+/// at a bound by differences to the inside, both of second order, with steps of 1e-4 of the unknown's scale: errors
+/// near 1e-8.
 Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values);
 
 /// Kind of the derivatives by the unknowns that move the model, in words.
 std::string kind_of_derivatives(const FitProblem& problem);
 
-/// A file's series at values of the unknowns.
-Outcome outcome_of(const FitProblem& problem, std::size_t file, const std::vector<double>& values, Care care);
+/// The work that the channels of the files ask for. Sets the problem's measures and works, and the places of the
+/// channels in them. Requires: prepare(model). Fails: UserError.
+void plan_work(const std::vector<std::string>& manoeuvres, FitProblem& problem);
+
+/// A work at values of the unknowns.
+Outcome outcome_of(const FitProblem& problem, const Work& work, const std::vector<double>& values, Care care);
+
+/// Runs tasks on the problem's threads; those behind a stop are left out.
+void run_tasks(const FitProblem& problem, std::size_t count, const std::function<void(std::size_t)>& task);
+
+/// Outcomes of works at values of the unknowns, in their order. is_wanted: the others stay empty.
+std::vector<Outcome> outcomes_of(const FitProblem& problem, const std::vector<double>& values, Care care,
+                                 const std::function<bool(const Work&)>& is_wanted);
+
+/// The series of a channel, null where its work has none.
+const Series* series_of(const std::vector<Outcome>& outcomes, const MeasuredChannel& measured);
 
 /// Predictions of a channel of a file at its data, with gain, bias and delay.
 std::vector<double> predictions(const FitProblem& problem, const MeasuredChannel& measured, const Series& series,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/text/user_error.hpp"
+#include "workbench/fit/point_targets.hpp"
 #include "workbench/fit/rig_curve.hpp"
 #include "workbench/host/message.hpp"
 
@@ -65,7 +66,7 @@ void set_sizes(FitProblem& problem) {
 void take_units(FitProblem& problem) {
   std::vector<double> start;
   for (const Unknown& unknown : problem.unknowns) start.push_back(unknown.start);
-  const MeasureSet& set = problem.points;
+  const MeasureSet& set = problem.measures;
   for (const MeasureSource& source : set.sources) {
     const auto has_unit = [&](std::size_t m) {
       return set.measures[m].of != Measure::Of::figure && set.measures[m].of != Measure::Of::manoeuvre;
@@ -113,15 +114,15 @@ FitProblem read_problem(const FitArguments& arguments, FreeModel& model) {
   };
   prepare(model, unknowns, {std::ranges::any_of(files, is_run), std::ranges::any_of(channels, is_mode)});
   if (!model.is_tuned) print_message("fit: the model is analysed anew for each value: {}\n", model.why_not_tuned);
+  std::vector<FreeInertia> inertias = free_inertias(model.model, unknowns);
   FitProblem problem{.model = model,
                      .channels = std::move(channels),
                      .unknowns = std::move(unknowns),
+                     .inertias = std::move(inertias),
                      .files = std::move(files),
                      .jobs = arguments.jobs};
   set_sizes(problem);
-  for (const MeasuredFile& file : problem.files)
-    if (file.is_of_points)
-      problem.points = sources_of_targets(model, file, problem.channels, problem.unknowns, arguments.manoeuvres);
+  plan_work(arguments.manoeuvres, problem);
   take_units(problem);
   return problem;
 }

@@ -36,7 +36,8 @@ std::string unknown_rows(const FitResult& result) {
     const double error = result.certainty.standard_errors[u];
     rows.push_back({fmt::format("{} [{}]", unknown.name, unknown.unit.empty() ? "1" : unknown.unit),
                     fmt::format("{:.7g}", result.values[u]), std::isfinite(error) ? fmt::format("{:.3g}", error) : "-",
-                    fmt::format("{:.6g}", unknown.start), fmt::format("{:.4g} to {:.4g}", unknown.lower, unknown.upper),
+                    fmt::format("{:.6g}", unknown.start),
+                    unknown.is_physical ? "physical" : fmt::format("{:.4g} to {:.4g}", unknown.lower, unknown.upper),
                     remark_of(result, u)});
   }
   return aligned_rows(rows);
@@ -107,8 +108,8 @@ nlohmann::ordered_json unknowns_json(const FitResult& result) {
                     {"value", result.values[u]},
                     {"standard_error", number_or_null(certainty.standard_errors[u])},
                     {"start", unknown.start},
-                    {"lower", unknown.lower},
-                    {"upper", unknown.upper},
+                    {"lower", number_or_null(unknown.lower)},
+                    {"upper", number_or_null(unknown.upper)},
                     {"at_bound", certainty.at_bound[u] < 0   ? "lower"
                                  : certainty.at_bound[u] > 0 ? "upper"
                                                              : ""},

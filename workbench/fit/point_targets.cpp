@@ -7,7 +7,6 @@
 #include "compiler/text/characters.hpp"
 #include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
-#include "workbench/host/message.hpp"
 
 namespace mbgen::fit {
 namespace {
@@ -49,28 +48,6 @@ MeasuredFile point_targets(const Model& model, const std::vector<std::string>& t
     file.channels.push_back(std::move(measured));
   }
   return file;
-}
-
-MeasureSet sources_of_targets(const FreeModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
-                              const std::vector<Unknown>& unknowns, const std::vector<std::string>& manoeuvres) {
-  std::vector<Measure> measures;
-  for (const MeasuredChannel& measured : file.channels)
-    measures.push_back(*channels[static_cast<std::size_t>(measured.channel)].measure);
-  return with_sources(model, unknowns, std::move(measures), {manoeuvres, {}});
-}
-
-Outcome point_values(const FreeModel& model, const MeasureSet& set, const std::vector<Unknown>& unknowns,
-                     const std::vector<double>& values, const std::function<bool()>& is_stopped) {
-  Outcome outcome;
-  outcome.series.resize(set.measures.size());
-  for (const MeasureSource& source : set.sources) {
-    const SourceValues found = evaluate(source, model, unknowns, set.measures, values, false, is_stopped);
-    if (!found.failure.empty()) return {first_line(found.failure), {}, {}};
-    for (std::size_t k = 0; k < source.measures.size(); ++k)
-      outcome.series[source.measures[k]] = {{0}, found.responses[k].values};
-    outcome.warnings.insert(outcome.warnings.end(), found.warnings.begin(), found.warnings.end());
-  }
-  return outcome;
 }
 
 }  // namespace mbgen::fit

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/fit/fit_motion.hpp"
-#include "workbench/search/measure_sources.hpp"
+#include "workbench/fit/fit_data.hpp"
 
 namespace mbgen::fit {
 
@@ -14,13 +13,5 @@ namespace mbgen::fit {
 /// them, in SI units. Fails: UserError.
 MeasuredFile point_targets(const Model& model, const std::vector<std::string>& texts,
                            const std::vector<std::string>& manoeuvres, std::vector<Channel>& channels);
-
-/// The work that gives the targets. Requires: prepare(model). Fails: UserError.
-MeasureSet sources_of_targets(const FreeModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
-                              const std::vector<Unknown>& unknowns, const std::vector<std::string>& manoeuvres);
-
-/// The numbers at values of the unknowns.
-Outcome point_values(const FreeModel& model, const MeasureSet& set, const std::vector<Unknown>& unknowns,
-                     const std::vector<double>& values, const std::function<bool()>& is_stopped);
 
 }  // namespace mbgen::fit

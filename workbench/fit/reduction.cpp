@@ -74,4 +74,19 @@ Reduced reduced(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobia
   return result;
 }
 
+double promised_fall(const Reduced& at, const std::vector<int>& free) {
+  constexpr double kResolved = 1e-7;  // of the largest singular value, as errors of differences
+  if (free.empty()) return 0;
+  const Eigen::MatrixXd columns = at.jacobian(Eigen::all, free);
+  const SingularVectors vectors = right_singular_vectors(columns);
+  const Eigen::VectorXd gradient = columns.transpose() * at.residuals;
+  double fall = 0;
+  for (Eigen::Index k = 0; k < vectors.values.size(); ++k) {
+    if (!(vectors.values[k] > kResolved * vectors.values[0])) break;
+    const double along = vectors.vectors.col(k).dot(gradient) / vectors.values[k];
+    fall += along * along;
+  }
+  return fall;
+}
+
 }  // namespace mbgen::fit

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "workbench/fit/least_squares.hpp"
 
@@ -33,5 +34,9 @@ Eigen::MatrixXd compressed(const Eigen::MatrixXd& rows);
 /// the rest of the loss: the sum of squares, J' r and J' J stay. jacobian: without rows where only the sum is needed;
 /// its columns are by the method's unknowns.
 Reduced reduced(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian, const Loss& loss);
+
+/// The fall of the sum of squares that its linear approximation promises along the free unknowns, in directions that
+/// derivatives resolve.
+double promised_fall(const Reduced& at, const std::vector<int>& free);
 
 }  // namespace mbgen::fit

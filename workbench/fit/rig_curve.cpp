@@ -44,11 +44,7 @@ MeasuredFile read_rig(const MeasuredTable& table, const FreeModel& model, RigRep
   const std::string axle = axle_of(table, model.model, channels);
   const KcReport& report = outline_of_rig(model, axle, reports);
   const KcTable& curve = curve_of_table(table, report, false);
-  MeasuredFile file{.path = table.path,
-                    .is_held_out = is_held_out,
-                    .axle = axle,
-                    .curve = curve.name,
-                    .curve_number = static_cast<int>(&curve - report.tables.data())};
+  MeasuredFile file{.path = table.path, .is_held_out = is_held_out, .axle = axle, .curve = curve.name};
   const std::vector<double> at = abscissas_of(table, curve.columns.front().heading);
   for (std::size_t c = 0; c < channels.size(); ++c) {
     Channel& channel = channels[c];
@@ -70,29 +66,15 @@ MeasuredFile read_rig(const MeasuredTable& table, const FreeModel& model, RigRep
                               curve.name, first.column, nearest_hint(first.quantity, known)));
 }
 
-Outcome rig_curve(const FreeModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
-                  const std::vector<Unknown>& unknowns, const std::vector<double>& values) {
-  double amplitude = 0;
-  for (const MeasuredChannel& measured : file.channels)
-    for (const double at : measured.at) amplitude = std::max(amplitude, std::abs(at));
-  KcSettings settings;
-  reach_out_to(file.curve, amplitude, settings);
-  try {
-    const Compilation compilation = compilation_at(model, unknowns, values);
-    const KcReport report = curves_of_rig(compilation, model.arguments, file.axle, settings, file.curve_number + 1, {});
-    const KcTable* curve = curve_named(report, file.curve);
-    if (curve == nullptr) return {fmt::format("the rig has no curve {}", file.curve), {}, {}};
-    const std::vector<double>& at = curve->columns.front().values;
-    if (at.size() < kPointsOfCurve) return {fmt::format("the curve {} ends early", file.curve), {}, {}};
-    Outcome outcome;
-    for (const MeasuredChannel& measured : file.channels) {
-      const Channel& channel = channels[static_cast<std::size_t>(measured.channel)];
-      outcome.series.push_back({at, column_of(*curve, channel.quantity)->values});
-    }
-    return outcome;
-  } catch (const UserError& error) {
-    return {first_line(error.what()), {}, {}};
-  }
+Measure measure_of(const MeasuredFile& file, const MeasuredChannel& measured, const Channel& channel) {
+  if (channel.measure) return *channel.measure;
+  return {.of = Measure::Of::curve,
+          .name = channel.name,
+          .unit = channel.unit,
+          .axle = file.axle,
+          .curve = file.curve,
+          .part = channel.quantity,
+          .at = measured.at};
 }
 
 }  // namespace mbgen::fit

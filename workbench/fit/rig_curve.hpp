@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workbench/fit/fit_motion.hpp"
+#include "workbench/fit/fit_data.hpp"
 #include "workbench/search/rig.hpp"
 
 namespace mbgen::fit {
@@ -15,8 +15,7 @@ namespace mbgen::fit {
 MeasuredFile read_rig(const MeasuredTable& table, const FreeModel& model, RigReports& reports,
                       std::vector<Channel>& channels, bool is_held_out, std::vector<std::string>& notes);
 
-/// The columns of the rig's curve at values of the unknowns.
-Outcome rig_curve(const FreeModel& model, const MeasuredFile& file, const std::vector<Channel>& channels,
-                  const std::vector<Unknown>& unknowns, const std::vector<double>& values);
+/// A channel of a rig's curve, or a single number, as a measure.
+Measure measure_of(const MeasuredFile& file, const MeasuredChannel& measured, const Channel& channel);
 
 }  // namespace mbgen::fit

@@ -45,14 +45,19 @@ double factor_of(const std::vector<double>& data, const std::vector<double>& mod
 
 std::vector<std::string> unit_doubts(const FitProblem& problem, const std::vector<double>& values) {
   std::vector<std::string> notes;
-  for (std::size_t f = 0; f < problem.files.size(); ++f) {
-    const MeasuredFile& file = problem.files[f];
+  std::vector<bool> is_series(problem.works.size(), false);
+  for (const MeasuredFile& file : problem.files)
+    for (const MeasuredChannel& measured : file.channels)
+      if (!file.is_of_points) is_series[measured.work] = true;
+  const std::vector<Outcome> outcomes = outcomes_of(problem, values, Care::quick, [&](const Work& work) {
+    return is_series[static_cast<std::size_t>(&work - problem.works.data())];
+  });
+  for (const MeasuredFile& file : problem.files) {
     if (file.is_of_points) continue;
-    const Outcome outcome = outcome_of(problem, f, values, Care::quick);
-    if (!outcome.failure.empty()) continue;
-    for (std::size_t c = 0; c < file.channels.size(); ++c) {
-      const MeasuredChannel& measured = file.channels[c];
-      const double factor = factor_of(measured.values, predictions(problem, measured, outcome.series[c], values));
+    for (const MeasuredChannel& measured : file.channels) {
+      const Series* series = series_of(outcomes, measured);
+      if (series == nullptr) continue;
+      const double factor = factor_of(measured.values, predictions(problem, measured, *series, values));
       for (const UsualFactor& usual : kUsual)
         if (std::abs(factor / usual.factor - 1) < kNearFactor)
           notes.push_back(

@@ -84,7 +84,7 @@ std::string find_curve_point(Rig& rig, const Sweep& sweep, double value, const P
                              PointOfCurve& found) {
   found.imposed = value;
   if (const Status status = walk_to(rig, sweep, value, near, found.at); !status.ok()) return text(status.code);
-  if (is_load(sweep.kind)) return "";
+  if (is_load(sweep.kind) || !has_rates(rig)) return "";
   choose_at(rig, found.at.state);
   const std::optional<Diagnostic> problem = add_slopes(rig, found.at);
   return problem ? problem->message : "";
@@ -149,8 +149,9 @@ Result<PointOfCurve> start_point(Rig& rig) {
     return problem_of(model, rig.axle, "the rig has no equilibrium at the start: " + describe(rig.compilation, status));
   }
   choose_at(rig, start.at.state);
-  if (const std::optional<Diagnostic> problem = add_slopes(rig, start.at))
-    return problem_of(model, rig.axle, "the rig has no curves from the start: " + problem->message);
+  if (has_rates(rig))
+    if (const std::optional<Diagnostic> problem = add_slopes(rig, start.at))
+      return problem_of(model, rig.axle, "the rig has no curves from the start: " + problem->message);
   start.axle = wheels_of(rig, start.at);
   complete(start.axle, start.axle);
   return start;

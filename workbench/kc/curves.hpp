@@ -40,7 +40,7 @@ struct CurvePoints {
 };
 
 /// The point with zero inputs; the rig gets partitions that are well-conditioned there. Fails: with one problem if
-/// there is no equilibrium, or no derivatives.
+/// there is no equilibrium, or no derivatives where the rig has rates.
 Result<PointOfCurve> start_point(Rig& rig);
 
 /// goes_on: called after every point.

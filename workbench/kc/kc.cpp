@@ -67,15 +67,16 @@ double mean_load(const Rig& rig, const PointOfCurve& start) {
   return sum / count;
 }
 
-std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const KcSettings& options, bool with_loads) {
+std::vector<Sweep> all_sweeps(const Rig& rig, const PointOfCurve& start, const KcSettings& options, bool with_loads) {
   constexpr double kTravel = 0.05, kSteerAngle = 0.3, kSteerWay = 0.03, kLeastForce = 1000, kLever = 0.05;
   const double travel = options.travel.value_or(kTravel);
   std::vector<Sweep> sweeps = {{Kind::parallel_travel, travel}, {Kind::opposite_travel, travel}};
   if (rig.inputs[kSteer] >= 0) {
-    const double usual = rig.axle.steering_input >= 0 ? kSteerAngle * std::abs(steering_rate(start.axle))
-                         : rig.steer_unit == "rad"    ? kSteerAngle
-                                                      : kSteerWay;
-    sweeps.push_back({Kind::steering, options.steer.value_or(usual)});
+    const double usual = options.steer                  ? *options.steer
+                         : rig.axle.steering_input >= 0 ? kSteerAngle * std::abs(steering_rate(start.axle))
+                         : rig.steer_unit == "rad"      ? kSteerAngle
+                                                        : kSteerWay;
+    sweeps.push_back({Kind::steering, usual});
   }
   if (!with_loads) return sweeps;
   const double force = options.force.value_or(std::max(kLeastForce, 0.5 * mean_load(rig, start)));
@@ -84,21 +85,32 @@ std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const Kc
   return sweeps;
 }
 
+/// The curves that are asked for.
+std::vector<Sweep> sweeps_of(const Rig& rig, const PointOfCurve& start, const KcSettings& options, bool with_loads) {
+  std::vector<Sweep> sweeps = all_sweeps(rig, start, options, with_loads);
+  if (!options.curves.empty())
+    std::erase_if(sweeps, [&](const Sweep& one) { return std::ranges::count(options.curves, name_of(one.kind)) == 0; });
+  return sweeps;
+}
+
 /// A rig at its start.
 struct StandingRig {
   Rig rig;
   PointOfCurve start;
+  Pads pads;
 };
 
-Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
-                                 const Pads& pads) {
-  Result<Rig> rig = make_rig(user, axle, at, pads);
+Result<StandingRig> standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads,
+                                 bool with_rates, const RigDecisions* known) {
+  Result<Rig> rig = make_rig(user, axle, at, pads, known);
   if (!rig) return rig.problems();
-  add_programs(rig->compilation);
-  add_directional(rig->compilation);
+  if (with_rates) {
+    add_programs(rig->compilation);
+    add_directional(rig->compilation);
+  }
   Result<PointOfCurve> start = start_point(*rig);
   if (!start) return start.problems();
-  return StandingRig{std::move(*rig), std::move(*start)};
+  return StandingRig{std::move(*rig), std::move(*start), pads};
 }
 
 /// Wheels that are on pads, or hang free, together.
@@ -141,21 +153,21 @@ std::string note_of_hanging(const std::vector<OtherWheels>& hanging) {
 
 /// The rig with other axles on pads; axles that cannot stand there hang free, with a note. Fails: UserError. Cost: a
 /// rig for each other axle if one cannot stand.
-StandingRig standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at,
+StandingRig standing_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, bool with_rates,
                          std::vector<std::string>& notes) {
-  Result<StandingRig> on_pads = standing_rig(user, axle, at, Pads{});
+  Result<StandingRig> on_pads = standing_rig(user, axle, at, Pads{}, with_rates, nullptr);
   if (on_pads) return std::move(*on_pads);
   if (const std::optional<Diagnostic> fault = ride_fault(user, axle, at)) throw UserError(Diagnostics{*fault});
   std::vector<OtherWheels> hanging = other_wheels(user.model, axle);
   Pads pads;
   for (const OtherWheels& wheels : hanging) pads.hanging.insert(wheels.tyres.begin(), wheels.tyres.end());
-  Result<StandingRig> best = standing_rig(user, axle, at, pads);
+  Result<StandingRig> best = standing_rig(user, axle, at, pads, with_rates, nullptr);
   if (!best) throw UserError(on_pads.problems());
   // Every axle that can stand is put back on its pads.
   for (std::size_t i = 0; i < hanging.size() && hanging.size() > 1;) {
     Pads more = pads;
     for (const int tyre : hanging[i].tyres) more.hanging.erase(tyre);
-    Result<StandingRig> next = standing_rig(user, axle, at, more);
+    Result<StandingRig> next = standing_rig(user, axle, at, more, with_rates, nullptr);
     if (!next) {
       ++i;
       continue;
@@ -197,14 +209,28 @@ const Axle& find_axle(const Model& model, const std::string& name) {
                                : fmt::format("{}: unknown axle \"{}\"; known: {}\n", model.file, name, known));
 }
 
+std::shared_ptr<const RigDecisions> decisions_of_rig(const Compilation& compilation, const Axle& axle,
+                                                     const OperatingPoint& at) {
+  std::vector<std::string> notes;
+  StandingRig standing = standing_rig(compilation, with_wheelbase(compilation.model, axle), at, false, notes);
+  Compilation& made = standing.rig.compilation;
+  return std::make_shared<const RigDecisions>(
+      RigDecisions{std::move(standing.pads), std::move(made.topology), std::move(made.analysis)});
+}
+
 KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& axle, const OperatingPoint& at,
                                    const KcSettings& options, const KcWatch& watch) {
   const Axle whole = with_wheelbase(compilation.model, axle);
   KcReport report{.model = compilation.model.name, .axle = axle.name};
-  const auto [rig, start] = standing_rig(compilation, whole, at, report.notes);
-  const bool with_loads = is_compliant(rig, start);
-  report.figures = figures(rig, start, with_loads);
-  report.matrices = compliance_matrices(rig, start);
+  const RigDecisions* known = options.decisions.get();
+  const auto [rig, start, pads] =
+      known == nullptr ? standing_rig(compilation, whole, at, options.has_rates, report.notes)
+                       : expect(standing_rig(compilation, whole, at, known->pads, options.has_rates, known));
+  const bool with_loads = !options.has_rates || is_compliant(rig, start);
+  if (options.has_rates) {
+    report.figures = figures(rig, start, with_loads);
+    report.matrices = compliance_matrices(rig, start);
+  }
   if (!with_loads) report.notes.emplace_back("nothing gives way between the wheels and the body: no curves of loads");
   const std::vector<Sweep> sweeps = sweeps_of(rig, start, options, with_loads);
   const long all = static_cast<long>(sweeps.size()) * 2 * (options.points / 2);

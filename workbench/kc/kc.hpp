@@ -3,13 +3,19 @@
 // page.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compiler/compile.hpp"
 #include "workbench/kc/kc_report.hpp"
 
 namespace mbgen {
+
+namespace kc {
+struct RigDecisions;
+}
 
 /// Requests to a rig. Values are amplitudes: the rig goes from minus to plus.
 struct KcSettings {
@@ -17,10 +23,20 @@ struct KcSettings {
   /// rad or m, of the steering coordinate; none: 0.3 rad or 0.03 m. Of a steering input: in its unit; none: as far as
   /// its ratio turns the wheels by 0.3 rad.
   std::optional<double> steer = {};
-  std::optional<double> force = {};   ///< N, at each wheel; none: half the wheels' load at the start, at least 1000
-  std::optional<double> moment = {};  ///< N m, about z at each wheel; none: 0.05 m times the force
-  int points = 21;                    ///< of a curve; an even number takes one more
+  std::optional<double> force = {};      ///< N, at each wheel; none: half the wheels' load at the start, at least 1000
+  std::optional<double> moment = {};     ///< N m, about z at each wheel; none: 0.05 m times the force
+  int points = 21;                       ///< of a curve; an even number takes one more
+  std::vector<std::string> curves = {};  ///< their names; none: all that the rig has
+  /// Figures, matrices and columns of derivatives, whose programs take most of the time. Without them curves are named,
+  /// and so is the amplitude of steering.
+  bool has_rates = true;
+  std::shared_ptr<const kc::RigDecisions> decisions = {};  ///< null: made for this rig
 };
+
+/// The decisions about an axle's rig at a state of the model, which serve for other values of its tunable parameters.
+/// Fails: UserError, as kinematics_and_compliance.
+std::shared_ptr<const kc::RigDecisions> decisions_of_rig(const Compilation& compilation, const Axle& axle,
+                                                         const OperatingPoint& at);
 
 /// The axle of this name; without a name the only one of the model. Fails: UserError.
 const Axle& find_axle(const Model& model, const std::string& name);

@@ -18,6 +18,7 @@ struct KcFigure {
 struct KcTable {
   std::string name, title;
   std::vector<Column> columns;
+  std::vector<std::string> rates = {};  ///< names of the columns that are derivatives along the curve
 };
 
 /// Derivatives of the rows' quantities by the columns' loads, at the start; SI units.

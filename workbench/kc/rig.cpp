@@ -39,7 +39,7 @@ class RigBuilder {
     inputs_ = at.inputs;
   }
 
-  Result<Rig> build() {
+  Result<Rig> build(const RigDecisions* known) {
     check_heading();
     if (model_.ground < 0) throw UserError(fmt::format("{}: a rig needs the body \"ground\"\n", model_.file));
     take_away(axle_, model_);
@@ -55,7 +55,8 @@ class RigBuilder {
     add_steer();
     add_elements();
     rig_.start_inputs = inputs_;
-    Result<Compilation> decided = decide(std::move(model_));
+    Result<Compilation> decided =
+        known != nullptr ? Compilation{std::move(model_), known->topology, known->analysis} : decide(std::move(model_));
     if (!decided) {
       const Diagnostic& first = decided.problems().front();
       return problem_of(user_.model, axle_, "its rig is no model to solve: " + first.message, first.hint);
@@ -382,8 +383,9 @@ Diagnostic problem_of(const Model& model, const Axle& axle, const std::string& m
   return {Where{model.file, 0, 0, ""}, fmt::format("axle {}: {}", axle.name, message), hint, ""};
 }
 
-Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads) {
-  return RigBuilder(user, axle, at, pads).build();
+Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads,
+                     const RigDecisions* known) {
+  return RigBuilder(user, axle, at, pads).build(known);
 }
 
 }  // namespace mbgen::kc

@@ -68,9 +68,21 @@ struct Pads {
   bool are_driven = true;      ///< pads of the axle are driven, else they follow its wheels
 };
 
-/// The rig at a state of the user's model, at these values of its inputs; without programs. Fails: with one problem if
-/// it is not a solvable model; UserError if nothing holds the body to ground.
-Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads);
+/// Decisions about a rig.
+struct RigDecisions {
+  Pads pads;
+  Topology topology;
+  Analysis analysis;
+};
+
+/// The rig at a state of the user's model, at these values of its inputs; without programs. known: decisions for other
+/// values of tunable parameters, or null. Fails: with one problem if it is not a solvable model; UserError if nothing
+/// holds the body to ground.
+Result<Rig> make_rig(const Compilation& user, const Axle& axle, const OperatingPoint& at, const Pads& pads,
+                     const RigDecisions* known = nullptr);
+
+/// Whether the rig has programs, and its points derivatives.
+inline bool has_rates(const Rig& rig) { return rig.compilation.directional != nullptr; }
 
 /// Removes tyres, frictions, outputs, the start, and the forces that the axle names.
 void take_away(const Axle& axle, Model& model);

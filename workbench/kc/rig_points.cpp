@@ -80,7 +80,12 @@ std::optional<Diagnostic> add_slopes(const Rig& rig, RigPoint& point) {
 void choose_at(Rig& rig, const GenericState& state) {
   const Compilation& c = rig.compilation;
   if (weakest_pivot(c.model, c.topology, c.analysis, state.z) >= kPivotThreshold<double>) return;
-  if (std::optional<Compilation> anew = chosen_at(c, state.z)) rig.compilation = std::move(*anew);
+  if (!has_rates(rig)) {
+    std::optional<Analysis> anew = chosen_at(c.model, c.topology, c.analysis, state.z);
+    if (anew) rig.compilation.analysis = std::move(*anew);
+  } else if (std::optional<Compilation> anew = chosen_at(c, state.z)) {
+    rig.compilation = std::move(*anew);
+  }
 }
 
 }  // namespace mbgen::kc

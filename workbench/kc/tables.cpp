@@ -106,11 +106,17 @@ class TableBuilder {
 
   void add_travel() {
     const RigInputs direction = direction_of(kind_);
-    add_wheels({"wheel_rate", "N/m", "",
-                [direction](const WheelState& wheel, const WheelState&) { return wheel_rate(wheel, direction); }});
+    if (has_rates(rig_)) {
+      const std::size_t before = columns_.size();
+      add_wheels({"wheel_rate", "N/m", "",
+                  [direction](const WheelState& wheel, const WheelState&) { return wheel_rate(wheel, direction); }});
+      mark_rates(before);
+    }
     add("track_change", "m", [&](const PointOfCurve& point) { return track_of(point.axle) - track_of(start_.axle); });
     add("wheelbase_change", "m",
         [&](const PointOfCurve& point) { return wheelbase_change(rig_.axle, point.axle, start_.axle); });
+    if (!has_rates(rig_)) return;
+    const std::size_t before = columns_.size();
     add("roll_centre_height", "m", [](const PointOfCurve& point) { return roll_centre(point.axle).height; });
     if (kind_ == Sweep::Kind::opposite_travel) {
       add("roll_centre_to_left", "m", [](const PointOfCurve& point) { return roll_centre(point.axle).to_left; });
@@ -126,11 +132,15 @@ class TableBuilder {
       add("ratio_" + element.name, element.unit == "rad" ? "rad/m" : "1",
           [&, direction](const PointOfCurve& point) { return along(deflection_of(element, point.at), direction); });
     }
+    mark_rates(before);
   }
 
   void add_steering() {
-    add("steer_ratio", unit_of_steer_ratio(rig_),
-        [this](const PointOfCurve& point) { return steer_ratio(rig_, point.axle); });
+    if (has_rates(rig_)) {
+      add("steer_ratio", unit_of_steer_ratio(rig_),
+          [this](const PointOfCurve& point) { return steer_ratio(rig_, point.axle); });
+      mark_rates(columns_.size() - 1);
+    }
     if (!rig_.axle.wheelbase) return;
     add("ackermann", "1", [&](const PointOfCurve& point) {
       const auto steered = [](const WheelState& wheel, const WheelState& home) {
@@ -141,14 +151,20 @@ class TableBuilder {
     });
   }
 
-  std::vector<Column> take() { return std::move(columns_); }
+  KcTable take() { return {name_of(kind_), title_of(kind_), std::move(columns_), std::move(rates_)}; }
 
  private:
+  /// The columns from this one on are derivatives.
+  void mark_rates(std::size_t first) {
+    for (std::size_t c = first; c < columns_.size(); ++c) rates_.push_back(columns_[c].heading.name);
+  }
+
   const Rig& rig_;
   const PointOfCurve& start_;
   Sweep::Kind kind_;
   const std::vector<PointOfCurve>& points_;
   std::vector<Column> columns_;
+  std::vector<std::string> rates_;
 };
 
 Heading abscissa_of(const Rig& rig, Sweep::Kind kind) {
@@ -305,7 +321,7 @@ KcTable curve_table(const Rig& rig, const PointOfCurve& start, const Sweep& swee
   }
   if (sweep.kind <= Sweep::Kind::opposite_travel) table.add_travel();
   if (sweep.kind == Sweep::Kind::steering) table.add_steering();
-  return {name_of(sweep.kind), title_of(sweep.kind), table.take()};
+  return table.take();
 }
 
 std::vector<KcFigure> figures(const Rig& rig, const PointOfCurve& start, bool is_compliant) {

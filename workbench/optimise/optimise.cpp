@@ -123,6 +123,9 @@ void check_arguments(const OptimiseArguments& arguments) {
 /// The whole problem at its start: read, prepared, with numbers for targets and limits.
 void read_problem(const OptimiseArguments& arguments, FreeModel& model, DesignProblem& problem) {
   problem.variables = free_parameters(model.model, arguments.free);
+  for (const Unknown& variable : problem.variables)
+    if (variable.is_physical)
+      throw UserError(fmt::format("--free {0}=physical: is of fit alone: give bounds, {0}=LOW:HIGH\n", variable.name));
   problem.wishes = read_wishes(model, arguments.goals, arguments.constraints, arguments.manoeuvres);
   problem.method = method_of(arguments.method, problem.wishes);
   problem.jobs = arguments.jobs;

@@ -34,17 +34,36 @@ MeasureSource& source_for(const Measure& measure, const SourceArguments& argumen
   return sources.back();
 }
 
-/// The curves of a rig reach out to their wanted abscissas.
-void reach_out(const FreeModel& model, const std::vector<Measure>& measures, MeasureSource& source) {
+/// Whether a measure takes derivatives along a curve, or its curve an amplitude that they give.
+bool needs_rates(const Measure& measure, const KcReport& outline) {
+  const bool has_amplitude = std::ranges::any_of(measure.at, [](double at) { return at != 0; });
+  if (measure.of == Measure::Of::figure || !has_amplitude) return true;
+  const KcTable* curve = curve_named(outline, measure.curve);
+  const Column* column = curve == nullptr ? nullptr : column_of(*curve, measure.part);
+  return column == nullptr || std::ranges::count(curve->rates, column->heading.name) > 0;
+}
+
+/// The curves that a rig has to give, as far and in as many points as they are wanted.
+void prepare_rig(const FreeModel& model, const std::vector<Measure>& measures, MeasureSource& source) {
   RigReports known;
-  const KcReport& report = outline_of_rig(model, source.axle, known);
+  const KcReport& outline = outline_of_rig(model, source.axle, known);
+  KcSettings& rig = source.rig;
+  rig.has_rates = false;
   for (const std::size_t q : source.measures) {
-    double amplitude = 0;
-    for (const double at : measures[q].at) amplitude = std::max(amplitude, std::abs(at));
-    if (amplitude > 0) reach_out_to(measures[q].curve, amplitude, source.rig);
-    for (std::size_t c = 0; c < report.tables.size() && measures[q].of == Measure::Of::curve; ++c)
-      if (report.tables[c].name == measures[q].curve) source.curves = std::max(source.curves, static_cast<int>(c) + 1);
+    rig.has_rates = rig.has_rates || needs_rates(measures[q], outline);
+    if (measures[q].of != Measure::Of::curve) continue;
+    rig.curves.push_back(measures[q].curve);
+    for (const double at : measures[q].at) reach_out_to(measures[q].curve, std::abs(at), rig);
   }
+  rig.points = 1;
+  std::vector<double> parts;  // of the amplitudes
+  for (const std::size_t q : source.measures) {
+    if (measures[q].of == Measure::Of::curve && measures[q].at.empty()) rig.points = kPointsOfCurve;
+    for (const double at : measures[q].at)
+      if (at != 0) parts.push_back(at / *reach_of(measures[q].curve, rig));
+  }
+  if (!parts.empty()) rig.points = std::max(rig.points, points_among(parts));
+  rig.decisions = decisions_of_rig(model, source.axle);
 }
 
 /// The study of a motion at the start values, with its solver.
@@ -97,14 +116,14 @@ Response figure_of(const Measure& measure, const KcReport& report) {
                               nearest_hint(measure.part, names)));
 }
 
-Response curve_of(const Measure& measure, const KcReport& report) {
+Response curve_of(const Measure& measure, const KcReport& report, int points) {
   std::vector<std::string> names;
   const KcTable* curve = curve_named(report, measure.curve);
   for (const KcTable& table : report.tables) names.push_back(table.name);
   if (curve == nullptr)
     throw UserError(fmt::format("{}: the rig has no curve \"{}\"\n{}", measure.name, measure.curve,
                                 nearest_hint(measure.curve, names)));
-  if (curve->columns.front().values.size() < kPointsOfCurve)
+  if (static_cast<int>(curve->columns.front().values.size()) < points)
     throw UserError(fmt::format("{}: the curve {} ends early\n", measure.name, measure.curve));
   if (const Column* column = column_of(*curve, measure.part)) return response_of(measure, *curve, *column);
   names.clear();
@@ -115,10 +134,10 @@ Response curve_of(const Measure& measure, const KcReport& report) {
 
 void evaluate_rig(const MeasureSource& source, const FreeModel& model, const std::vector<Measure>& measures,
                   const Compilation& compilation, const std::function<bool()>& is_stopped, SourceValues& result) {
-  const KcReport report =
-      curves_of_rig(compilation, model.arguments, source.axle, source.rig, source.curves, is_stopped);
+  const KcWatch watch = [&](long, long) { return !(is_stopped && is_stopped()); };
+  const KcReport report = rig_report(compilation, model.arguments, source.axle, source.rig, watch);
   for (const std::size_t q : source.measures)
-    result.responses.push_back(measures[q].of == Measure::Of::curve ? curve_of(measures[q], report)
+    result.responses.push_back(measures[q].of == Measure::Of::curve ? curve_of(measures[q], report, source.rig.points)
                                                                     : figure_of(measures[q], report));
 }
 
@@ -161,7 +180,7 @@ MeasureSet with_sources(const FreeModel& model, const std::vector<Unknown>& unkn
   for (std::size_t q = 0; q < set.measures.size(); ++q)
     source_for(set.measures[q], arguments, set.sources).measures.push_back(q);
   for (MeasureSource& source : set.sources) {
-    if (source.of == MeasureSource::Of::rig) reach_out(model, set.measures, source);
+    if (source.of == MeasureSource::Of::rig) prepare_rig(model, set.measures, source);
     if (source.of == MeasureSource::Of::motion) prepare_motion(model, unknowns, set.measures, arguments, source);
   }
   return set;

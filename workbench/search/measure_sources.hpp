@@ -20,7 +20,6 @@ struct MeasureSource {
   std::vector<std::size_t> measures = {};  ///< places in the list
   std::string axle = {};                   ///< of a rig
   KcSettings rig = {};
-  int curves = 0;    ///< of a rig: up to the last that is needed
   Study study = {};  ///< of a motion
   StudySolver solver = {};
   std::vector<std::size_t> places = {};  ///< of a motion: of each measure among the metrics; of a number none

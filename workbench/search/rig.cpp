@@ -12,32 +12,42 @@ namespace mbgen {
 
 namespace {
 
-/// The report of an axle's rig where the model starts.
-KcReport rig_report(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
-                    const KcSettings& settings, const KcWatch& watch) {
+/// The point at which the model starts.
+OperatingPoint start_of(const Compilation& compilation, const ModelArguments& arguments) {
   StateArguments at;
   at.at = "initial";
   at.inputs = arguments.engine.inputs;
-  return kinematics_and_compliance(compilation, find_axle(compilation.model, axle),
-                                   operating_point(compilation, at).point, settings, watch);
+  return operating_point(compilation, at).point;
 }
 
 }  // namespace
+
+KcReport rig_report(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
+                    const KcSettings& settings, const KcWatch& watch) {
+  return kinematics_and_compliance(compilation, find_axle(compilation.model, axle), start_of(compilation, arguments),
+                                   settings, watch);
+}
+
+std::shared_ptr<const kc::RigDecisions> decisions_of_rig(const FreeModel& model, const std::string& axle) {
+  if (!model.is_tuned) return nullptr;
+  return decisions_of_rig(model.compilation, find_axle(model.model, axle),
+                          start_of(model.compilation, model.arguments));
+}
+
+int points_among(const std::vector<double>& parts) {
+  constexpr double kRounding = 1e-9;
+  for (int half = 1; half < kPointsOfCurve / 2; ++half) {
+    const auto is_among = [half](double part) { return std::abs(part * half - std::round(part * half)) < kRounding; };
+    if (std::ranges::all_of(parts, is_among)) return 2 * half + 1;
+  }
+  return kPointsOfCurve;
+}
 
 const KcReport& outline_of_rig(const FreeModel& model, const std::string& axle, RigReports& known) {
   constexpr int kFewest = 3;
   if (!known.contains(axle))
     known.emplace(axle, rig_report(expect(decide(model.model)), model.arguments, axle, {.points = kFewest}, {}));
   return known.at(axle);
-}
-
-KcReport curves_of_rig(const Compilation& compilation, const ModelArguments& arguments, const std::string& axle,
-                       KcSettings settings, int curves, const std::function<bool()>& is_stopped) {
-  settings.points = kPointsOfCurve;
-  const KcWatch watch = [&](long done, long) {
-    return done <= static_cast<long>(kPointsOfCurve) * curves && !(is_stopped && is_stopped());
-  };
-  return rig_report(compilation, arguments, axle, settings, watch);
 }
 
 const KcTable* curve_named(const KcReport& report, const std::string& name) {
@@ -53,12 +63,15 @@ const Column* column_of(const KcTable& table, const std::string& name) {
   return nullptr;
 }
 
+std::optional<double>& reach_of(const std::string& curve, KcSettings& settings) {
+  if (curve.ends_with("travel")) return settings.travel;
+  if (curve == "steering") return settings.steer;
+  return curve.ends_with("force") ? settings.force : settings.moment;
+}
+
 void reach_out_to(const std::string& curve, double amplitude, KcSettings& settings) {
-  const auto reach = [&](std::optional<double>& value) { value = std::max(amplitude, value.value_or(0)); };
-  if (curve.ends_with("travel")) reach(settings.travel);
-  if (curve == "steering") reach(settings.steer);
-  if (curve.ends_with("force")) reach(settings.force);
-  if (curve == "aligning_moment") reach(settings.moment);
+  std::optional<double>& reach = reach_of(curve, settings);
+  if (amplitude > 0) reach = std::max(amplitude, reach.value_or(0));
 }
 
 const KcTable& curve_of_table(const MeasuredTable& table, const KcReport& report, bool by_column) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "compiler/text/characters.hpp"
@@ -23,12 +24,15 @@ constexpr double kPartOfRange = 0.1;
 struct TypedBounds {
   std::string name;
   std::optional<double> lower, start, upper;
+  bool is_physical = false;
 };
 
 TypedBounds typed_bounds(const std::string& option, const std::string& text) {
   const std::size_t sign = text.find('=');
   TypedBounds typed{text.substr(0, sign), {}, {}, {}};
   if (sign == std::string::npos) return typed;
+  typed.is_physical = text.substr(sign + 1) == "physical";
+  if (typed.is_physical) return typed;
   const std::vector<std::string> parts = split_at(text.substr(sign + 1), ':');
   if (parts.size() != 2 && parts.size() != 3)
     throw UserError(fmt::format("{} {}: bounds are LOW:HIGH or LOW:START:HIGH, found {}\n", option, typed.name,
@@ -96,6 +100,13 @@ std::vector<Unknown> free_parameters(const Model& model, const std::vector<std::
     refuse_twice("--free", list, typed.name);
     Unknown unknown{.kind = Unknown::Kind::parameter, .name = typed.name, .unit = parameter.unit};
     unknown.start = typed.start.value_or(parameter.value);
+    if (typed.is_physical) {
+      unknown.is_physical = true;
+      unknown.upper = std::numeric_limits<double>::infinity();
+      unknown.lower = -unknown.upper;
+      list.push_back(std::move(unknown));
+      continue;
+    }
     if (!typed.lower && unknown.start == 0)
       throw UserError(fmt::format("--free {0}: it starts at 0: give its bounds, {0}=LOW:HIGH\n", typed.name));
     const double least = (unknown.start > 0 ? kLeastPart : kMostPart) * unknown.start;

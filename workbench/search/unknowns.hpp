@@ -18,14 +18,16 @@ struct Unknown {
   int run = -1;              ///< of a value at the start, -1: of all runs
   int channel = -1;          ///< of gain, bias or delay
   std::string coordinate{};  ///< of a value at the start: "z.NAME" or "zd.NAME"
+  bool is_physical = false;  ///< an entry of an inertia that stays one of a body; without bounds
 
   /// Whether the motion depends on it.
   bool moves_model() const { return kind == Kind::parameter || kind == Kind::start; }
 };
 
-/// Parameters of --free: NAME, NAME=LOW:HIGH or NAME=LOW:START:HIGH, separated by commas. Without bounds from a tenth
-/// to ten times the value. Fails: UserError for a name that is no parameter (with the nearest), one that stands twice,
-/// bounds that are no numbers, in the wrong order or around another range than the value; a value 0 without bounds.
+/// Parameters of --free: NAME, NAME=LOW:HIGH, NAME=LOW:START:HIGH or NAME=physical, separated by commas. Without bounds
+/// from a tenth to ten times the value. Fails: UserError for a name that is no parameter (with the nearest), one that
+/// stands twice, bounds that are no numbers, in the wrong order or around another range than the value; a value 0
+/// without bounds.
 std::vector<Unknown> free_parameters(const Model& model, const std::vector<std::string>& texts);
 
 /// Values of --free-start in every run: z.NAME=LOW:HIGH or zd.NAME=LOW:HIGH of a coordinate. runs: numbers of their
