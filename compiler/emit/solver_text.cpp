@@ -102,6 +102,11 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
     shaped.shape.constants = &constants;
     FrameRows& part = shaped.shape.file_part > 0 ? rare : hot;
     const bool has_laws = !shaped.shape.laws.empty();
+    if (shaped.role == Role::accelerations && context.options.scalar == Scalar::tangents) {
+      part.push_back({{"program", accelerations_apart_text(context, shaped)}});
+      members.push_back(system_member(shaped, solver + "::" + shaped.shape.result, ""));
+      continue;
+    }
     const std::string laws = has_laws ? law_texts(context, shaped.shape.scalar, &constants) : "";
     part.push_back({{"program", laws + program_text(*shaped.program, shaped.schedule, shaped.shape)}});
     // Dynamics::sample and take_ground call these.
@@ -122,7 +127,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"turning", for_importers ? "" : turning_table(context, context.options.scalar)},
       {"pairs", context.in_pairs},
       {"has_quantities", has_quantities(context)},
-      {"laws", !context.written.laws.empty() && context.options.scalar == Scalar::doubles},
+      {"laws", !context.written.laws.empty() && context.options.scalar != Scalar::floats},
       {"hot", hot},
       {"rare", rare},
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},

@@ -33,6 +33,7 @@ const char* name_of(Array array) {
                                     "rate",
                                     "residual",
                                     "seed",
+                                    "slope",
                                     "step",
                                     "state_pivot",
                                     "t",
