@@ -62,7 +62,6 @@ std::string samples_text(const EmitContext& context) {
 /// `<model>_tangents.hpp` and `.cpp`: the whole solver over numbers with derivatives.
 void add_tangents(EmitContext context, std::vector<EmittedFile>& files) {
   context.options.scalar = Scalar::tangents;
-  context.in_pairs = false;
   context.names.solver += kTangentSuffix;
   files.push_back({context.names.solver + ".hpp", interface_text(context)});
   files.push_back(solver_file(context, shaped_programs(context), false));

@@ -9,7 +9,7 @@ namespace {
 
 /// Type of such an argument: AccelerationsWork1 of "w1".
 std::string work_type(const ProgramShape& shape, const CrossingStruct& work) {
-  return shape.result + "Work" + std::to_string(work.number);
+  return (shape.work.empty() ? shape.result : shape.work) + "Work" + std::to_string(work.number);
 }
 
 /// Declaration of an argument of a function or of one of its parts; unused ones have no name.
@@ -78,8 +78,11 @@ std::string part_arguments(const ProgramShape& shape, const CrossingStructs& cro
 /// Calls of the shared laws, one row each.
 FrameRows law_rows(const ProgramShape& shape) {
   return mapped(shape.laws, [](const LawShape& law) {
-    return FrameValues{
-        {"argument", law.argument}, {"function", law.function()}, {"lanes", law.lanes}, {"elements", law.elements}};
+    return FrameValues{{"argument", law.argument},
+                       {"function", law.function()},
+                       {"lanes", law.lanes},
+                       {"elements", law.elements},
+                       {"beside", law.beside.empty() ? "" : ", " + law.beside}};
   });
 }
 
@@ -160,6 +163,12 @@ void add_comment(PartText& part, const std::string& words) {
   part.body += wrapped_words(words, part.indent + "// ") + "\n";
 }
 
+std::string function_declaration(const ProgramShape& shape) {
+  std::set<std::string> all = {"result"};
+  for (const Argument& argument : shape.arguments) all.insert(argument.name);
+  return declaration(shape, all, " {");
+}
+
 std::string function_text(const ProgramShape& shape, const std::vector<PartText>& parts,
                           const CrossingStructs& crossing, std::size_t law_part) {
   const bool is_whole = parts.size() == 1 && shape.clock.empty() && !shape.in_groups;
@@ -181,7 +190,10 @@ std::string function_text(const ProgramShape& shape, const std::vector<PartText>
                         {"work", work_rows(shape, crossing)},
                         {"law_structs", mapped(shape.laws,
                                                [](const LawShape& law) {
-                                                 return FrameValues{{"type", law.type}, {"argument", law.argument}};
+                                                 const bool is_alone = law.home.empty();
+                                                 return FrameValues{
+                                                     {"type", law.type + (is_alone ? "" : "&")},
+                                                     {"argument", law.argument + (is_alone ? "" : " = " + law.home)}};
                                                })},
                         {"parts", is_whole ? FrameRows{} : part_rows(shape, parts, crossing, law_part)},
                         {"title", wrapped_words(shape.title, "/// ")},

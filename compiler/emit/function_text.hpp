@@ -38,6 +38,9 @@ void add_line(PartText& part, const std::string& statement);
 /// Adds words as a comment of its own lines.
 void add_comment(PartText& part, const std::string& words);
 
+/// Start of the definition of a program's function, all of its arguments used.
+std::string function_declaration(const ProgramShape& shape);
+
 /// Struct of the result (if the shape has members), struct of the values that cross parts (if there are any), one
 /// static function per part and the function that calls them; a single part is that function itself. crossing: structs
 /// of the values that cross parts. law_part: see Schedule. In a file with parts, the parts that only call the function

@@ -65,7 +65,9 @@ FrameRows known_rows(const SharedLaw& shared, const LawShape& law, Scalar scalar
   return rows;
 }
 
-std::string law_text(const EmitContext& context, std::size_t k, Scalar scalar, ConstantNames* constants) {
+/// program: of the law. slopes: that it gives beside its results.
+std::string law_text(const EmitContext& context, std::size_t k, const Program& program, int slopes, Scalar scalar,
+                     ConstantNames* constants) {
   const SharedLaw& shared = context.written.laws[k];
   const LawShape law = law_shape(context, k);
   const Elements seen = scalar == Scalar::doubles ? Elements::in_lanes
@@ -74,15 +76,21 @@ std::string law_text(const EmitContext& context, std::size_t k, Scalar scalar, C
   ProgramShape shape =
       function_shape(context, shared, law, seen, seen == Elements::in_lanes ? Scalar::elements : scalar);
   shape.constants = constants;
+  if (slopes > 0) {
+    shape.work = law.type;
+    shape.outputs[Array::slope] = {law.argument, {}, {}, "", "", 0, "", "k"};
+    for (const std::string& slope : indexed(law.argument + ".slopes", slopes))
+      shape.outputs[Array::slope].texts.push_back("mbgen::lanes_at(" + slope + ", k)");
+  }
   FrameRows common, members;
   for (const LawArgument& argument : shared.arguments)
     if (argument.numbers.empty()) (argument.is_common ? common : members).push_back({{"name", argument.name}});
   for (const std::string& name : shared.results) members.push_back({{"name", name}});
   const std::string elements =
       joined(mapped(shared.tyres, [&](int tyre) { return context.model.tyres[tyre].name; }), ", ");
-  const Schedule order = schedule(
-      shared.program, {.order = ValueOrder::fewest_alive,
-                       .gathering = seen == Elements::one_by_one ? Gathering::in_lanes : Gathering::of_vectors});
+  const Schedule order =
+      schedule(program, {.order = ValueOrder::fewest_alive,
+                         .gathering = seen == Elements::one_by_one ? Gathering::in_lanes : Gathering::of_vectors});
   return fill_template(
       "law.in",
       {{"comment", wrapped_words("Tyres of one law: " + comment_text(elements) +
@@ -93,6 +101,7 @@ std::string law_text(const EmitContext& context, std::size_t k, Scalar scalar, C
        {"type", law.type},
        {"number", name_of(scalar)},
        {"elements", law.elements},
+       {"slopes", slopes > 0 ? std::to_string(slopes) : ""},
        {"known", known_rows(shared, law, scalar == Scalar::floats ? scalar : Scalar::doubles)},
        {"common", common},
        {"members", members},
@@ -100,15 +109,61 @@ std::string law_text(const EmitContext& context, std::size_t k, Scalar scalar, C
        {"one_by_one", seen == Elements::one_by_one},
        {"lanes", law.lanes},
        {"vector", name_of(Scalar::elements) + law.type},
-       {"program", program_text(shared.program, order, shape)}});
+       {"program", program_text(program, order, shape)}});
+}
+
+/// The function of a law's derivatives.
+ProgramShape along_shape(const EmitContext& context, const SharedLaw& shared, const LawShape& law,
+                         const LawShape& along, int slopes) {
+  ProgramShape shape = function_shape(context, shared, along, Elements::one_by_one, Scalar::directions);
+  shape.title = "Derivatives of the law of element k.";
+  shape.work = along.type;
+  shape.arguments.insert(shape.arguments.begin() + 1, {law.argument, "const " + law.type, Passing::sole_reference});
+  shape.inputs = {
+      {Array::law_argument,
+       function_shape(context, shared, law, Elements::one_by_one, Scalar::directions).inputs[Array::law_argument]},
+      {derivative_of(Array::law_argument), shape.inputs[Array::law_argument]},
+      {Array::slope, {law.argument, {}, {}, "", "", 0, "", "k"}}};
+  for (auto& [group, place] : shape.inputs) place.locals.clear();
+  for (const std::string& slope : indexed(law.argument + ".slopes", slopes))
+    shape.inputs[Array::slope].texts.push_back(slope + "[k]");
+  shape.outputs = {{derivative_of(Array::law_result), shape.outputs[Array::law_result]}};
+  shape.outputs.begin()->second.missing = "0.0";
+  return shape;
 }
 
 }  // namespace
 
 std::string law_texts(const EmitContext& context, Scalar scalar, ConstantNames* constants) {
   std::string text;
-  for (std::size_t k = 0; k < context.written.laws.size(); ++k) text += law_text(context, k, scalar, constants);
+  for (std::size_t k = 0; k < context.written.laws.size(); ++k)
+    text += law_text(context, k, context.written.laws[k].program, 0, scalar, constants);
   return text;
+}
+
+std::string law_with_slopes_text(const EmitContext& context, std::size_t k, const DerivativesApart& apart,
+                                 const LawShape& law, const LawShape& along, ConstantNames* constants) {
+  const SharedLaw& shared = context.written.laws[k];
+  const ProgramShape shape = along_shape(context, shared, law, along, apart.slopes);
+  FrameRows common, members;
+  for (const LawArgument& argument : shared.arguments)
+    if (argument.numbers.empty()) (argument.is_common ? common : members).push_back({{"name", argument.name}});
+  for (const std::string& name : shared.results) members.push_back({{"name", name}});
+  const Schedule order = schedule(apart.along, {.order = ValueOrder::fewest_alive});
+  return law_text(context, k, apart.values, apart.slopes, Scalar::doubles, constants) + "\n" +
+         fill_template("law.in", {{"comment", "/// Derivatives of the numbers in " + law.type + "."},
+                                  {"type", along.type},
+                                  {"number", name_of(Scalar::directions)},
+                                  {"elements", along.elements},
+                                  {"known", FrameRows{}},
+                                  {"common", common},
+                                  {"members", members},
+                                  {"slopes", ""},
+                                  {"in_vectors", false},
+                                  {"one_by_one", true},
+                                  {"lanes", along.lanes},
+                                  {"vector", ""},
+                                  {"program", program_text(apart.along, order, shape)}});
 }
 
 }  // namespace mbgen

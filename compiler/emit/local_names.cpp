@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "compiler/emit/quantity_names.hpp"
@@ -141,8 +142,9 @@ std::string ConstantNames::text(const Program& program, const Node& node) {
 }
 
 void ConstantNames::add_uses(const ConstantNames& copy) {
+  if (copy.entries_.size() != entries_.size()) throw std::logic_error("a text names a constant of no program");
   for (std::size_t i = 0; i < entries_.size(); ++i)
-    entries_[i].is_used = entries_[i].is_used || copy.entries_.at(i).is_used;
+    entries_[i].is_used = entries_[i].is_used || copy.entries_[i].is_used;
 }
 
 bool ConstantNames::is_arithmetic(const Entry& entry) const {

@@ -245,8 +245,8 @@ class ProgramWriter {
     const auto most = std::ranges::max_element(times, {}, [](const auto& entry) { return entry.second; });
     const bool fills = most->second >= kWorthFilling && !place.array.empty();
     if (fills)
-      add_line(part, fmt::format("for (int k = {}; k < {}; ++k) {}[k] = {};", place.first,
-                                 place.first + place.texts.size(), place.array, most->first));
+      add_line(part, fmt::format("for (int k = {}; k < {}; ++k) {}[k]{} = {};", place.first,
+                                 place.first + place.texts.size(), place.array, place.member, most->first));
     for (const auto& [index, text] : texts)
       if (!fills || text != most->first) add_line(part, place.texts[index] + " = " + text + ";");
   }

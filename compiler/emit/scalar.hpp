@@ -6,10 +6,11 @@ namespace mbgen {
 enum class Scalar {
   doubles,
   floats,
-  pairs,     ///< left and right, or twins, in two lanes: mbgen/pair.hpp
-  lanes,     ///< of a batch: an instance in each lane
-  elements,  ///< of a shared law: an element in each lane; each law has a type of its own
-  tangents   ///< a double with derivatives: mbgen/tangents.hpp
+  pairs,      ///< left and right, or twins, in two lanes: mbgen/pair.hpp
+  lanes,      ///< of a batch: an instance in each lane
+  elements,   ///< of a shared law: an element in each lane; each law has a type of its own
+  tangents,   ///< a double with derivatives: mbgen/tangents.hpp
+  directions  ///< derivatives alone, one a lane: mbgen/directions.hpp
 };
 
 /// Whether values are numbers one by one.
@@ -22,11 +23,12 @@ constexpr Scalar plain(Scalar scalar) { return scalar == Scalar::tangents ? Scal
 
 /// Name of the type in emitted code; the first part of it for elements.
 constexpr const char* name_of(Scalar scalar) {
-  return scalar == Scalar::doubles    ? "double"
-         : scalar == Scalar::floats   ? "float"
-         : scalar == Scalar::pairs    ? "Pair"
-         : scalar == Scalar::tangents ? "Real"
-                                      : "Lanes";
+  return scalar == Scalar::doubles      ? "double"
+         : scalar == Scalar::floats     ? "float"
+         : scalar == Scalar::pairs      ? "Pair"
+         : scalar == Scalar::tangents   ? "Real"
+         : scalar == Scalar::directions ? "Directions"
+                                        : "Lanes";
 }
 
 }  // namespace mbgen

@@ -21,6 +21,7 @@ struct GroupPlace {
   std::string missing = "0.0";           ///< value of an output that the program does not give; empty: nobody reads it
   std::string array = {};  ///< array whose places from `first` on hold the slots in order; empty: they are no array
   int first = 0;
+  std::string member = {};        ///< of the array's entries that holds the number: ".value"
   std::string element = {};       ///< another parameter that the texts look at
   bool local_tells_more = false;  ///< copies are made at the first use: their names say more than the texts
 };
@@ -45,6 +46,8 @@ struct LawShape {
   std::string argument, type;  ///< "tyres", "Tyres"
   std::string lanes;           ///< name of the number of elements that one call computes
   int elements = 0;
+  std::string home = {};    ///< where the struct is, empty: the program makes it
+  std::string beside = {};  ///< second argument of the function, empty: none
 
   std::string function() const { return "compute_" + argument; }
 };
@@ -101,6 +104,8 @@ struct ProgramShape {
   ValueOrder order = ValueOrder::by_section;
   /// Characters from which a statement is taken apart.
   std::size_t longest_statement = kLineWidth;
+  /// Start of the names of structs of values that cross its parts, empty: the result's name.
+  std::string work = {};
   /// Part of the file that defines the function, see file_parts.hpp.
   int file_part = 0;
 };

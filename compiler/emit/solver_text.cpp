@@ -82,8 +82,10 @@ std::vector<std::string> texts_of(const EmitContext& context, std::vector<Shaped
   const auto write = [&](std::size_t i, ConstantNames& names) {
     ProgramShape& shape = programs[i].shape;
     shape.constants = &names;
-    texts[i] = (shape.laws.empty() ? "" : law_texts(context, shape.scalar, &names)) +
-               program_text(*programs[i].program, programs[i].schedule, shape);
+    const bool is_apart = programs[i].role == Role::accelerations && shape.scalar == Scalar::tangents;
+    texts[i] = is_apart ? accelerations_apart_text(context, programs[i])
+                        : (shape.laws.empty() ? "" : law_texts(context, shape.scalar, &names)) +
+                              program_text(*programs[i].program, programs[i].schedule, shape);
   };
   if (context.options.spelling == Spelling::reading) {  // folds get their names in the order of the texts
     for (std::size_t i = 0; i < programs.size(); ++i) write(i, constants);
@@ -143,7 +145,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
       {"turning", for_importers ? "" : turning_table(context, context.options.scalar)},
       {"pairs", context.in_pairs},
       {"has_quantities", has_quantities(context)},
-      {"laws", !context.written.laws.empty() && context.options.scalar == Scalar::doubles},
+      {"laws", !context.written.laws.empty() && context.options.scalar != Scalar::floats},
       {"hot", hot},
       {"rare", rare},
       {"projection", has_projection ? size_text(context.layout.projection_entries) : ""},

@@ -38,6 +38,10 @@ nlohmann::ordered_json manifest_json(const EmitContext& context, const std::vect
 /// `<model>.json`.
 std::string manifest_text(const nlohmann::ordered_json& manifest);
 
+/// The accelerations of the solver with derivatives: one program for values and slopes, in pairs and lanes as the plain
+/// solver's, and one for derivatives, which takes the slopes. shaped: over numbers with derivatives.
+std::string accelerations_apart_text(const EmitContext& context, const ShapedProgram& shaped);
+
 /// `<model>_batch.hpp`: many instances in lanes. Requires: context.lanes > 0, as for the next.
 std::string batch_interface_text(const EmitContext& context);
 

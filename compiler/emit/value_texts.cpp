@@ -155,7 +155,7 @@ std::string ValueTexts::slots_text(const Places& places, const std::vector<Slot>
   if (std::ranges::all_of(slots, [&](const Slot& slot) { return slot == slots[0]; }))
     return place.texts[slots[0].index];
   const auto index = [&](const Slot& slot) { return place.first + slot.index; };
-  return place.array + "[" + tables_.index(mapped(slots, index)) + "]";
+  return place.array + "[" + tables_.index(mapped(slots, index)) + "]" + place.member;
 }
 
 // --- expressions ---

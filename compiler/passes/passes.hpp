@@ -4,6 +4,7 @@
 // verifies its result. Each states its factor of error: the most that it may make of the error of the outputs before
 // it, the root of its mean square around a state. tests/system/lowering/rounding_test.cpp holds it to that.
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,6 +65,22 @@ Program take_out_derived(std::span<Program* const> programs, SlotGroup group, co
 /// in each of them. Factor of error: 1 of bounds, 2 of an error that happened to be small.
 ///   %3 = mul %0 %1; %4 = sub %2 %3   =>   %3 = submul %2 %0 %1
 Program contract(const Program& program);
+
+/// A program and its derivatives in two programs: the first one runs once for as many directions as the second one has
+/// in its vectors.
+struct DerivativesApart {
+  Program values;  ///< the program, and the slopes that the derivatives need as outputs of Array::slope
+  Program along;   ///< takes slopes, values of inputs and the derivatives of inputs, gives the derivatives of outputs
+  int slopes = 0;
+};
+
+/// Takes the derivatives of a program apart. Every operation of `along` is linear in derivatives, which have the groups
+/// derivative_of(group) of their values. moves: whether an input has a derivative. is_wanted: whether the derivative of
+/// an output is; one that is 0 is no output. Pairs remain in `values`; `along` has numbers, contracted. At kinks the
+/// side counts that the value takes; a slope without bound counts where its argument moves.
+///   %2 = mul %0 %1, out zdd[0]   =>   the same, and   %4 = mul %1 d_z[1]; %5 = muladd %0 d_z[0] %4, out d_zdd[0]
+DerivativesApart take_derivatives_apart(const Program& program, const std::function<bool(const Slot&)>& moves,
+                                        const std::function<bool(const Slot&)>& is_wanted);
 
 /// The same values in the order of the paper's steps, each step once, and in a step from one part of the mechanism to
 /// the next as far as operands allow. Dead values and inputs leave. Ensures: the same outputs bit for bit. Factor of

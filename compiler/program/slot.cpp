@@ -37,6 +37,7 @@ const char* name_of(Array array) {
                                     "required",
                                     "residual",
                                     "seed",
+                                    "slope",
                                     "step",
                                     "state_pivot",
                                     "t",

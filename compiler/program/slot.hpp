@@ -40,6 +40,7 @@ enum class Array : std::uint8_t {
   required,             ///< forces of the tree that accelerations need, per coordinate
   residual,             ///< of all closure equations, then of the motions
   seed,                 ///< entries of a direction, see differentiate
+  slope,                ///< of values by others, see take_derivatives_apart
   step,                 ///< of the implicit equations, the method's factor times the step, s
   state_pivot,          ///< of the equations of an implicit step, one a state of the user's own
   t,                    ///< time

@@ -140,7 +140,7 @@ template <class Vector>
 }
 template <class Vector, int N>
 [[gnu::always_inline]] inline Vector plus(const Vector& sum, double factor, const Tangents<N>& x) noexcept {
-  return lanes_detail::fused(Vector{} + factor, Vector(x.tangent), sum);
+  return lanes_detail::fused(lanes_detail::all<Vector>(factor), Vector(x.tangent), sum);
 }
 
 template <class Vector>
