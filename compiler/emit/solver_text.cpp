@@ -82,7 +82,7 @@ std::vector<std::string> texts_of(const EmitContext& context, std::vector<Shaped
   const auto write = [&](std::size_t i, ConstantNames& names) {
     ProgramShape& shape = programs[i].shape;
     shape.constants = &names;
-    const bool is_apart = programs[i].role == Role::accelerations && shape.scalar == Scalar::tangents;
+    const bool is_apart = programs[i].role == Role::accelerations && context.options.scalar == Scalar::tangents;
     texts[i] = is_apart ? accelerations_apart_text(context, programs[i])
                         : (shape.laws.empty() ? "" : law_texts(context, shape.scalar, &names)) +
                               program_text(*programs[i].program, programs[i].schedule, shape);
