@@ -85,7 +85,7 @@ TEST_F(PhysicalInertia, BeyondThemIsTheNearestAndSaysSo) {
   EXPECT_NEAR(three["sum_of_squares"].get<double>(), 1e4 / 3, 1e-2);
   ASSERT_EQ(three["warnings"].size(), 1u);
   EXPECT_TRUE(three["warnings"][0].get<std::string>().starts_with(
-      "the inertia of b0z is at the limit of those that bodies have, where a principal moment is the sum of the two "
+      "the inertia of b0z is at the limit of bodies, where a principal moment is the sum of the two "
       "others: the data pull it beyond"))
       << three["warnings"];
 

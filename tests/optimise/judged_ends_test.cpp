@@ -13,6 +13,7 @@ class OptimiseEnds : public Optimise {
     write("ends.json", R"({ "mbgen": 1, "name": "ends", "include": ["forms.json"], "outputs": {
       "p": { "unit": "m", "expression": "p" }, "saddle": { "unit": "m^2", "expression": "p*q" },
       "hidden": { "unit": "1", "expression": "1e6*p + (q - 1)^2" },
+      "edge": { "unit": "m^2", "expression": "max((p - 1)^2 + (q - 2)^2, (p - 3)^2 + q*q + 1) + 0" },
       "wall": { "unit": "1", "expression": "(p - 1)^2 + 1e10*max(0, p - 1.5)^4" } } })");
   }
   Json found(const std::string& words) { return json_of("optimise ends.json --json " + words); }
@@ -52,6 +53,24 @@ TEST_F(OptimiseEnds, AStationaryStartThatIsNoLeastIsLeft) {
   EXPECT_NEAR(value_of(circle, "p"), -1, 1e-5);
   // The least itself as start is not told from other stationary ones.
   EXPECT_EQ(found("--free p=0:2:3 --set q=1 --goal min:start:bowl")["status"], "doubted, see the warnings");
+}
+
+// Two bowls of equal height on q = p - 1.25, where their sum of gradients falls to (p - 1) = (3.25 - p): the least of
+// the higher one is 2 * 1.125^2 at p = 2.125. With p <= 2 it is
+// 1 + 1.25^2. Derivatives are differences over 1e-4 of the variables, which tell no more.
+TEST_F(OptimiseEnds, ACornerWhereGradientsCancelIsAnEnd) {
+  const std::string words = "--free p=-5:0.4:5,q=-5:0.6:5 --goal min:start:edge";
+  const Json corner = found(words);
+  EXPECT_EQ(corner["status"], "ok") << corner;
+  EXPECT_NEAR(value_of(corner, "p"), 2.125, 1e-3);
+  EXPECT_NEAR(value_of(corner, "q"), 0.875, 1e-3);
+  EXPECT_NEAR(corner["goals"][0]["value"].get<double>(), 2.53125, 1e-4);
+  const Json bounded = found("--free p=-5:0.4:2,q=-5:0.6:5 --goal min:start:edge:1");
+  EXPECT_EQ(bounded["status"], "ok") << bounded;
+  EXPECT_NEAR(bounded["goals"][0]["value"].get<double>(), 2.5625, 1e-4);
+  EXPECT_TRUE(entry(bounded, "variables", "p")["goal_per_unit"].is_null());  // differences do not tell it
+  // Too few evaluations to come there.
+  EXPECT_NE(found(words + " --evaluations 3")["status"], "ok");
 }
 
 TEST_F(OptimiseEnds, EqualitiesMayRepeatEachOther) {

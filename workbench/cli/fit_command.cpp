@@ -21,14 +21,13 @@ struct FitOptions {
   fit::FitArguments fit;
   std::string out, page;
   int jobs = 0;  ///< 0: one per processor
-  bool restart = false, json = false;
+  bool json = false;
 };
 
 std::string journal_of_fit(const std::string& out) { return out.empty() ? "" : out + ".journal"; }
 
 int run_fit(FitOptions options) {
   options.fit.jobs = options.jobs > 0 ? options.jobs : processors();
-  options.fit.restart = options.restart;
   if (is_special(options.out) && !options.out.empty())
     throw UserError(
         fmt::format("{}: cannot write: a fit keeps a journal beside its result, name a file\n", options.out));
@@ -74,8 +73,7 @@ void add_search_options(NamedCommand command, FitOptions& options) {
                      "squares (default), huber:LIMIT or cauchy:LIMIT: less weight for outliers "
                      "beyond so many standard deviations");
   command.add_option("--iterations", fit.most_iterations, "at most").with_shown_default().between(1, 100000);
-  command.add_option("--jobs", options.jobs, "evaluations at a time (default: one a processor)").between(0, 1024);
-  command.add_flag("--restart", options.restart, "forget the evaluations of a fit that was killed");
+  add_journal_options(command, options.jobs, fit.restart);
 }
 
 }  // namespace

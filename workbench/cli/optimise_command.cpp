@@ -95,8 +95,7 @@ void add_method_options(NamedCommand command, OptimiseOptions& options) {
   command.add_option("--evaluations", search.most_evaluations, "at most, of each search")
       .with_shown_default()
       .between(1, 1000000);
-  command.add_option("--jobs", options.jobs, "evaluations at a time (default: one a processor)").between(0, 1024);
-  command.add_flag("--restart", search.restart, "forget the evaluations of a search that was killed");
+  add_journal_options(command, options.jobs, search.restart);
 }
 
 }  // namespace

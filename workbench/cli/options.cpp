@@ -14,6 +14,11 @@ void add_model_argument(NamedCommand command, std::string& path) {
   command.add_option("MODEL", path, "model file (JSON)").required();
 }
 
+void add_journal_options(NamedCommand command, int& jobs, bool& restart) {
+  command.add_option("--jobs", jobs, "evaluations at a time (default: one a processor)").between(0, 1024);
+  command.add_flag("--restart", restart, "forget the evaluations of a search that was killed");
+}
+
 void add_json_option(NamedCommand command, bool& json) {
   command.add_flag("--json", json, "print the result for machines");
 }

@@ -18,6 +18,9 @@ namespace mbgen::cli {
 /// MODEL, the first argument of most commands.
 void add_model_argument(NamedCommand command, std::string& path);
 
+/// --jobs and --restart of a search with a journal. jobs: 0 for one a processor.
+void add_journal_options(NamedCommand command, int& jobs, bool& restart);
+
 /// --json
 void add_json_option(NamedCommand command, bool& json);
 

@@ -112,7 +112,12 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
     if (source.of == MeasureSource::Of::motion) result.engine = source.study.choice.name;
   if (!model.why_differences.empty()) print_message("fit: derivatives by differences: {}\n", model.why_differences);
   Search steps(problem, loss, journal);
-  search(method, problem, steps, arguments, signals, result);
+  const SearchEnd end = search_values(method, problem, steps, arguments, signals);
+  result.values = end.values;
+  result.squares_at_start = end.squares_at_start;
+  result.iterations = end.iterations;
+  result.converged = end.converged;
+  result.message = end.message;
   Reduced last;
   if (!steps.evaluate(result.values, true, last)) {
     if (signals.taken() != 0) throw Interrupted{signals.taken()};
@@ -135,7 +140,7 @@ FitResult fit_model_to_data(const FitArguments& arguments) {
   for (const FreeInertia& inertia : problem.inertias)
     if (is_at_limit(inertia, result.values))
       result.warnings.push_back(fmt::format(
-          "the inertia of {} is at the limit of those that bodies have, where a principal moment is the sum "
+          "the inertia of {} is at the limit of bodies, where a principal moment is the sum "
           "of the two others: the data pull it beyond; standard errors of its entries are without this limit",
           inertia.body));
   if (!result.converged)

@@ -100,7 +100,7 @@ LeastSquaresResult run_method(Method method, Search& search, const FitArguments&
 
 /// Says of a search that stopped where the sum of squares still falls that it is at no end: steps that the model
 /// refuses look like an end to the method.
-void judge_end(const LeastSquares& task, const Eigen::VectorXd& at, FitResult& result) {
+void judge_end(const LeastSquares& task, const Eigen::VectorXd& at, SearchEnd& result) {
   Reduced end;
   if (!result.converged || !task.evaluate(at, true, end)) return;
   const std::vector<int> free = free_at(task, at, end);
@@ -114,8 +114,9 @@ void judge_end(const LeastSquares& task, const Eigen::VectorXd& at, FitResult& r
 
 }  // namespace
 
-void search(Method method, FitProblem& problem, Search& search, const FitArguments& arguments, BlockedSignals& signals,
-            FitResult& result) {
+SearchEnd search_values(Method method, FitProblem& problem, Search& search, const FitArguments& arguments,
+                        BlockedSignals& signals) {
+  SearchEnd result;
   std::vector<double> starts;
   for (const Unknown& unknown : problem.unknowns) starts.push_back(unknown.start);
   Eigen::VectorXd at = search.scaled(starts);
@@ -149,6 +150,7 @@ void search(Method method, FitProblem& problem, Search& search, const FitArgumen
   }
   judge_end(search.problem(at, {}), at, result);
   result.values = search.unscaled(at);
+  return result;
 }
 
 }  // namespace mbgen::fit

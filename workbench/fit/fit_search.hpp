@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "workbench/fit/fit.hpp"
+#include "workbench/fit/fit_arguments.hpp"
+#include "workbench/fit/fit_problem.hpp"
 #include "workbench/fit/least_squares.hpp"
+#include "workbench/fit/reduction.hpp"
 #include "workbench/host/blocked_signals.hpp"
 #include "workbench/search/evaluation_journal.hpp"
 
@@ -144,9 +146,18 @@ class Search {
   std::string failure_;
 };
 
-/// Searches, with rounds for noises that were not given. Sets the values, sums of squares and end of a result. Fails:
-/// UserError where there is no result at the start; Interrupted.
-void search(Method method, FitProblem& problem, Search& search, const FitArguments& arguments, BlockedSignals& signals,
-            FitResult& result);
+/// The end of a search.
+struct SearchEnd {
+  std::vector<double> values;
+  double squares = 0, squares_at_start = 0;  ///< weighted sums of squares
+  int iterations = 0;
+  bool converged = false;
+  std::string message;  ///< of the method
+};
+
+/// Searches, with rounds for noises that were not given. Fails: UserError where there is no result at the start;
+/// Interrupted.
+SearchEnd search_values(Method method, FitProblem& problem, Search& search, const FitArguments& arguments,
+                        BlockedSignals& signals);
 
 }  // namespace mbgen::fit

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "workbench/optimise/corners.hpp"
 #include "workbench/optimise/probes.hpp"
 
 namespace mbgen::optimise {
@@ -132,6 +134,38 @@ void take(const DesignProblem& problem, const DesignTask& task, const Programme&
   found.keeps_constraints = broken_words(problem, found.design).empty();
 }
 
+/// Size of the goal in the search, and evaluations that are left.
+struct Limits {
+  double size = 1;
+  int evaluations = 0;
+};
+
+/// Goes on to a corner of the goal, which is an end where no probe beside it is lower.
+void end_at_corner(const DesignProblem& problem, const DesignTask& task, const Limits& limits,
+                   const std::vector<int>& equalities, Designs& designs, SearchedDesign& found) {
+  const double own = size_at(found.point);
+  const Programme programme = programme_of(problem, task, own, equalities, designs);
+  constexpr double kShortestExact = 1e-7, kShortestOfDifferences = 1e-4;
+  const auto is_exact = [](const MeasureSource& source) { return source.has_derivatives(); };
+  const double shortest =
+      std::ranges::all_of(problem.measures.sources, is_exact) ? kShortestExact : kShortestOfDifferences;
+  const std::optional<CornerEnd> corner =
+      corner_near(programme, designs.scaled(found.design.values), 1, limits.evaluations, shortest);
+  Design design;
+  if (!corner || !designs.evaluate(designs.unscaled(corner->variables), true, design)) return;
+  if (better_beside(programme, corner->variables, corner->optimality, 1, false)) return;
+  if (problem.is_stopped && problem.is_stopped()) return;
+  take(problem, task, programme, corner->variables, limits.size, std::move(design), found);
+  const double more = own / std::max(limits.size, size_at(found.point));
+  found.optimality = corner->optimality;
+  for (Eigen::VectorXd* list : {&found.optimality.inequalities, &found.optimality.equalities, &found.optimality.bounds})
+    // Of the goal, not of the goal over its size; differences across a corner tell no multipliers.
+    *list *= shortest == kShortestExact ? own : std::numeric_limits<double>::quiet_NaN();
+  found.optimality.rest *= more;
+  found.status = status_of(problem, task, found);
+  found.ended += "; at a corner of the goal, where its gradients cancel";
+}
+
 /// Element `index` of Halton's sequence of a base, in (0, 1). Source: J. H. Halton, Numer. Math. 2, 1960.
 double halton(int index, int base) {
   double value = 0, part = 1;
@@ -240,6 +274,9 @@ std::optional<SearchedDesign> search_design(const DesignProblem& problem, const 
   }
   if (better && found.status == "ok")
     found.status = fmt::format("not at its end: a step beside it the goal is lower by {:.2g}", better->gain);
+  const int left = problem.most_evaluations - static_cast<int>(designs.count() - spent);
+  if (found.status != "ok" && found.keeps_constraints && left > 0)
+    end_at_corner(problem, task, {size, left}, all, designs, found);
   return found;
 }
 

@@ -58,7 +58,7 @@ FoundDesign found_design(const DesignProblem& problem, const Design& start, cons
   FoundDesign result{.status = found.status,
                      .ended = found.ended,
                      .keeps_constraints = found.keeps_constraints,
-                     .rest = found.optimality.rest,
+                     .rest = found.optimality.own_rest,
                      .sum = found.point.goal};
   for (std::size_t v = 0; v < problem.variables.size(); ++v)
     result.variables.push_back(

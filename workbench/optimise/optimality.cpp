@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "compiler/algebra/dense.hpp"
 
@@ -107,22 +108,52 @@ Eigen::VectorXd signed_combination(const std::vector<ActiveColumn>& columns, con
   return at;
 }
 
+/// Adds a row by which weights of gradients add up to one, and the gradients as columns with signs.
+void add_gradients(const std::vector<Eigen::VectorXd>& gradients, std::vector<double>& weights,
+                   std::vector<ActiveColumn>& columns, Eigen::VectorXd& wanted) {
+  const Eigen::Index size = wanted.size();
+  double lever = 0;
+  for (const Eigen::VectorXd& gradient : gradients) lever = std::max(lever, 100 * gradient.cwiseAbs().maxCoeff());
+  const auto longer = [&](const Eigen::VectorXd& column, double last) {
+    Eigen::VectorXd result(size + 1);
+    result << column, last;
+    return result;
+  };
+  for (ActiveColumn& column : columns) column.gradient = longer(column.gradient, 0);
+  weights.assign(gradients.size(), 0);
+  for (std::size_t g = 0; g < gradients.size(); ++g) columns.push_back({longer(gradients[g], lever), &weights[g]});
+  wanted = longer(Eigen::VectorXd::Zero(size), lever);
+}
+
 }  // namespace
 
 Optimality optimality_at(const ProgrammePoint& point, const Eigen::VectorXd& variables, const Eigen::VectorXd& lower,
-                         const Eigen::VectorXd& upper, double size) {
+                         const Eigen::VectorXd& upper, double size, const std::vector<Eigen::VectorXd>& beside) {
   Optimality result;
   result.inequalities.setZero(point.inequalities.size());
   result.equalities.setZero(point.equalities.size());
   result.bounds.setZero(variables.size());
   result.at_bound.assign(static_cast<std::size_t>(variables.size()), 0);
-  const std::vector<ActiveColumn> columns = active_columns(point, variables, lower, upper, result);
-  const Eigen::VectorXd wanted = -point.gradient;
+  std::vector<ActiveColumn> columns = active_columns(point, variables, lower, upper, result);
+  Eigen::VectorXd wanted = -point.gradient;
+  std::vector<double> weights;
+  if (!beside.empty()) {
+    std::vector<Eigen::VectorXd> gradients = beside;
+    gradients.push_back(point.gradient);
+    add_gradients(gradients, weights, columns, wanted);
+  }
   const Eigen::VectorXd multipliers = signed_combination(columns, wanted);
   for (std::size_t c = 0; c < columns.size(); ++c)
     *columns[c].multiplier = columns[c].sign * multipliers[static_cast<Eigen::Index>(c)];
-  const Eigen::VectorXd rest = rest_of(columns, multipliers, wanted);
+  Eigen::VectorXd rest = rest_of(columns, multipliers, wanted).head(variables.size());
+  if (!beside.empty()) {
+    const double share = std::accumulate(weights.begin(), weights.end(), 0.0);
+    for (Eigen::VectorXd* list : {&rest, &result.inequalities, &result.equalities, &result.bounds}) *list /= share;
+  }
   result.rest = rest.cwiseAbs().maxCoeff() / size;
+  constexpr double kNone = 1e-6;  // of the size: a goal that is reached, as a target
+  const double own = std::max(std::abs(point.goal), point.gradient.cwiseAbs().maxCoeff());
+  result.own_rest = own > kNone * size ? result.rest * size / own : result.rest;
   result.rest_direction = rest;
   return result;
 }

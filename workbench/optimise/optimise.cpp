@@ -90,8 +90,12 @@ Responses start_responses(DesignProblem& problem, const std::vector<double>& sta
   return responses;
 }
 
-/// Goals of --trade-off. Fails: UserError.
-std::pair<std::size_t, std::size_t> goals_of_trade_off(const std::string& text, const Wishes& wishes) {
+/// Two goals.
+using GoalPair = std::pair<std::size_t, std::size_t>;
+
+/// Goals of --trade-off, none without it. Fails: UserError.
+std::optional<GoalPair> goals_of_trade_off(const std::string& text, const Wishes& wishes) {
+  if (text.empty()) return {};
   std::vector<std::string> names;
   for (const Goal& goal : wishes.goals) names.push_back(goal.name);
   const std::vector<std::string> typed = split_list({text});
@@ -107,7 +111,7 @@ std::pair<std::size_t, std::size_t> goals_of_trade_off(const std::string& text, 
   if (wishes.goals.size() > 2)
     throw UserError(
         fmt::format("--trade-off: is of two goals, found {}: write the others as --constraint\n", wishes.goals.size()));
-  return {found[0], found[1]};
+  return GoalPair{found[0], found[1]};
 }
 
 void check_arguments(const OptimiseArguments& arguments) {
@@ -154,16 +158,16 @@ void warn_of_idle(const DesignProblem& problem, const Design& start, std::vector
 }
 
 /// Searches, and takes what was found into the result.
-void search_all(const OptimiseArguments& arguments, const DesignProblem& problem, const std::vector<double>& start,
-                const Responses& before, Designs& designs, OptimiseResult& result) {
+void search_all(const OptimiseArguments& arguments, const DesignProblem& problem, const std::optional<GoalPair>& pair,
+                const std::vector<double>& start, const Responses& before, Designs& designs, OptimiseResult& result) {
   Design first;
   if (!designs.evaluate(start, true, first)) {
     if (problem.is_stopped()) return;
     throw UserError(fmt::format("optimise: no derivatives at the start values: {}\n", designs.refused().back().reason));
   }
   warn_of_idle(problem, first, result.warnings);
-  if (!arguments.trade_off.empty()) {
-    const auto [one, other] = goals_of_trade_off(arguments.trade_off, problem.wishes);
+  if (pair) {
+    const auto [one, other] = *pair;
     result.first = problem.wishes.goals[one].name;
     result.second = problem.wishes.goals[other].name;
     for (const SearchedDesign& found : trade_off(problem, one, other, arguments.points, start, designs)) {
@@ -199,7 +203,7 @@ OptimiseResult optimise_model(const OptimiseArguments& arguments) {
   FreeModel model = read_free_model(arguments.model);
   DesignProblem problem{.model = model};
   read_problem(arguments, model, problem);
-  if (!arguments.trade_off.empty()) goals_of_trade_off(arguments.trade_off, problem.wishes);
+  const std::optional<GoalPair> pair = goals_of_trade_off(arguments.trade_off, problem.wishes);
   BlockedSignals signals;
   problem.is_stopped = [&] { return signals.taken() != 0; };
   std::vector<double> start;
@@ -217,7 +221,7 @@ OptimiseResult optimise_model(const OptimiseArguments& arguments) {
                         .method = arguments.method,
                         .derivatives = derivatives_of(problem),
                         .set = model.set};
-  search_all(arguments, problem, start, before, designs, result);
+  search_all(arguments, problem, pair, start, before, designs, result);
   if (signals.taken() != 0) throw Interrupted{signals.taken()};
   result.refused = designs.refused();
   result.course = designs.course();

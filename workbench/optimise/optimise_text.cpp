@@ -28,13 +28,13 @@ std::string variable_rows(const FoundDesign& design) {
   std::vector<TableRow> rows{{"variable", "value", "start", "bounds", "goal per unit", ""}};
   for (const FoundVariable& found : design.variables) {
     const Unknown& variable = found.variable;
-    rows.push_back({with_unit(variable.name, variable.unit), fmt::format("{:.7g}", found.value),
-                    fmt::format("{:.6g}", variable.start),
-                    fmt::format("{:.4g} to {:.4g}", variable.lower, variable.upper),
-                    found.at_bound != 0 ? fmt::format("{:.3g}", found.multiplier) : "",
-                    found.at_bound < 0   ? "at its lower bound"
-                    : found.at_bound > 0 ? "at its upper bound"
-                                         : ""});
+    rows.push_back(
+        {with_unit(variable.name, variable.unit), fmt::format("{:.7g}", found.value),
+         fmt::format("{:.6g}", variable.start), fmt::format("{:.4g} to {:.4g}", variable.lower, variable.upper),
+         found.at_bound != 0 && std::isfinite(found.multiplier) ? fmt::format("{:.3g}", found.multiplier) : "",
+         found.at_bound < 0   ? "at its lower bound"
+         : found.at_bound > 0 ? "at its upper bound"
+                              : ""});
   }
   return aligned_rows(rows);
 }
@@ -60,7 +60,7 @@ std::string constraint_rows(const FoundDesign& design) {
   for (const FoundConstraint& found : design.constraints)
     rows.push_back({with_unit(found.constraint.name, found.unit), fmt::format("{:.7g}", found.value),
                     fmt::format("{:.6g}", found.start), fmt::format("{:.6g}", found.limit),
-                    found.is_active ? fmt::format("{:.3g}", found.multiplier) : "",
+                    found.is_active && std::isfinite(found.multiplier) ? fmt::format("{:.3g}", found.multiplier) : "",
                     found.is_broken   ? "BROKEN"
                     : found.is_active ? "active"
                                       : ""});

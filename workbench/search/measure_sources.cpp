@@ -73,7 +73,6 @@ void prepare_motion(const FreeModel& model, const std::vector<Unknown>& unknowns
   study.model = model.arguments.path;
   study.set = model.arguments.set;
   study.vary_option = "--free";
-  study.metric_option = "metric";
   study.simulation = model.arguments.simulation;
   study.engine = model.arguments.engine;
   study.has_engine = model.arguments.has_engine;
@@ -88,6 +87,7 @@ void prepare_motion(const FreeModel& model, const std::vector<Unknown>& unknowns
     if (is_metric && found == study.metrics.end()) study.metrics.push_back(measures[q].part);
     source.places.push_back(is_metric ? place : 0);
   }
+  study.metric_option = fmt::format("metric \"{}\"", fmt::join(study.metrics, "\", \""));
   source.study = read_study(study);
   source.solver = prepare(source.study);
   source.why_differences = add_derivatives(source.study, source.solver);
