@@ -11,7 +11,8 @@ namespace {
 Mechanism pushed_four_bar() {
   return analysed(read_model(R"({ "mbgen": 1, "name": "pushed", "include": [")" + source_path("models/four_bar.json") +
                                  R"("], "actuators": { "crank": { "joint": "crank_pin", "gear": 4 },
-         "rocker": { "joint": "rocker_pin", "weight": 3 }, "ram": { "spring": "return_spring", "gear": 2 } } })",
+         "rocker": { "joint": "rocker_pin", "weight": 3 }, "ram": { "spring": "return_spring", "gear": 2 } },
+         "solver": { "closure_tolerance": 1e-13 } })",
                              "pushed.json"));
 }
 
@@ -47,7 +48,7 @@ TEST(ActuatorMapsOfTheGenericRuntime, AreThoseOfTheJudges) {
     near.zd = none;
     ASSERT_TRUE(solver.project(near).ok());
     ASSERT_TRUE(solver.complete_joints(position, speed, near).ok());
-    EXPECT_LT(relative_error(near.z, state.z), 1e-9);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(near.z[c], state.z[c], 1e-12);
     EXPECT_LT(relative_error(near.zd, state.zd), 1e-8);
     GenericDerivative motion;
     ASSERT_TRUE(solver.accelerations(state, none, motion).ok());
