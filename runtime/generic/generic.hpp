@@ -32,6 +32,7 @@ struct RoadBelow {
 };
 
 struct GenericEquations;
+struct GenericActuatedMotion;
 template <class T>
 struct ImplicitEquations;
 
@@ -90,6 +91,17 @@ class GenericSolver {
   /// actuators_singular; derivative and force are then unchanged.
   Status inverse_dynamics(const GenericState& state, const std::vector<double>& tau, GenericDerivative& derivative,
                           std::vector<double>& force) const;
+  /// The maps between motors and joints of mbgen/actuated.hpp, with its failures. Requires: has_inverse_dynamics
+  /// without motions that actuators give; as many values as actuators, or coordinates. jacobian: coordinates x
+  /// actuators.
+  Status complete_joints(const std::vector<double>& position, const std::vector<double>& speed,
+                         GenericState& state) const;
+  Status actuator_positions(const GenericState& state, std::vector<double>& position, std::vector<double>& speed) const;
+  Status complete_accelerations(const GenericState& state, const std::vector<double>& acceleration,
+                                std::vector<double>& zdd) const;
+  Status actuator_jacobian(const GenericState& state, std::vector<double>& jacobian) const;
+  Status forces_at_actuators(const GenericState& state, const std::vector<double>& tau,
+                             std::vector<double>& force) const;
   /// Side of the singular positions of the actuators on which a state is, 1 or -1; 0 of more actuators than directions.
   /// Requires: has_inverse_dynamics.
   int side_of_actuators(const GenericState& state) const;
@@ -127,6 +139,8 @@ class GenericSolver {
   Status equilibrium(GenericState& state) const;
 
  private:
+  /// Everything at a state. Fails: not_a_number, loop_singular, actuators_singular.
+  Status look_at_actuators(const GenericState& state, GenericActuatedMotion& motion) const;
   /// How near a singular position the blocks are. Fails: loop_singular.
   Status notice(const GenericState& state) const;
   /// The same from the factors at hand, where they tell it. Requires: they are those of the state.

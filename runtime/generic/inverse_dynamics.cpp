@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "mbgen/actuation.hpp"
+#include "runtime/generic/actuated.hpp"
 #include "runtime/generic/equations.hpp"
 #include "runtime/generic/generic.hpp"
 
@@ -14,8 +17,17 @@ Status GenericSolver::inverse_dynamics(const GenericState& state, const std::vec
       mbgen::inverse_dynamics(equations.system(state), analysis.directions, analysis.actuation, derivative.zdd, tau);
   for (std::size_t b = 0; b < inverse.quality.size(); ++b)
     if (!(inverse.quality[b] >= kPivotThreshold<double>)) return {Code::loop_singular, static_cast<int>(b)};
-  for (std::size_t q = 0; q < inverse.clearance.size(); ++q)
-    if (!(inverse.clearance[q] >= kLeastActuation<double>)) return {Code::actuators_singular, static_cast<int>(q)};
+  const auto hardly_moved =
+      std::ranges::find_if(inverse.clearance, [](double clearance) { return !(clearance >= kLeastActuation<double>); });
+  if (hardly_moved != inverse.clearance.end()) {
+    const std::size_t free = free_coordinates(equations.topology, analysis).size();
+    if (inverse.force.size() == inverse.clearance.size() || free != inverse.clearance.size())
+      return {Code::actuators_singular, static_cast<int>(hardly_moved - inverse.clearance.begin())};
+    // Others of the actuators may move it.
+    GenericActuatedMotion motion;
+    if (const Status status = look_at_actuators(state, motion); !status.ok()) return status;
+    inverse.force = motion.forces_for(required_forces(equations.system(state), inverse.zdd, tau));
+  }
   if (const int bad = first_not_finite(inverse.zdd); bad >= 0) return {Code::not_a_number, bad};
   if (first_not_finite(inverse.force) >= 0) return {Code::not_a_number, -1};
   derivative.zdd = std::move(inverse.zdd);

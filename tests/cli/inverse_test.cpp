@@ -321,6 +321,34 @@ TEST_F(WholeInverse, PosesOfADeltaFollowFromItsMotors) {
   expect_program("delta_path", kDelta);
 }
 
+/// Long: eight solvers.
+TEST_F(WholeInverse, OfAFourBarByTorquesAndALine) {
+  const Json& cases = reference_of_inverse()["four_bar"]["cases"];
+  Json states = {{"joint_order", {"crank_pin", "coupler_pin", "rocker_pin"}}};
+  for (const Json& one : cases)
+    states["states"].push_back({{"z", {one["crank_pin"], one["coupler_pin"], one["rocker_pin"]}},
+                                {"zd", one["zd_all"]},
+                                {"zdd", {{"crank_pin", one["zdd"]}}}});
+  write("states.json", states.dump());
+  for (const auto& [place, name, key] : {std::tuple("joint", "crank_pin", "torque_at_crank_pin"),
+                                         {"joint", "coupler_pin", "torque_at_coupler_pin"},
+                                         {"joint", "rocker_pin", "torque_at_rocker_pin"},
+                                         {"spring", "return_spring", "force_pushing_apart_along_the_spring_line"}}) {
+    write("bar.json", Json({{"mbgen", 1},
+                            {"name", "bar"},
+                            {"include", {kSource + "/models/four_bar.json"}},
+                            {"actuators", {{"motor", {{place, name}}}}}})
+                          .dump());
+    for (const char* options : {"--project", "--project --batch 4"}) {
+      const Json answer = forces("bar.json", options);
+      for (std::size_t s = 0; s < cases.size(); ++s) {
+        const double expected = cases[s][key];
+        EXPECT_NEAR(answer["states"][s]["actuators"]["motor"], expected, 1e-9 * std::abs(expected)) << key << options;
+      }
+    }
+  }
+}
+
 /// Long: solvers of every set, and lanes.
 TEST_F(WholeInverse, OfVehicles) {
   for (const char* vehicle : {"coach", "truck"})

@@ -11,7 +11,7 @@ using namespace mbgen::testing;
 
 /// A plate on a bushing with a full matrix and a Maxwell branch, held by another one to an arm; at rest in their
 /// middle.
-constexpr const char* kRubber = R"json({ "mbgen": 1, "name": "rubber", "gravity": [0, 0, 0],
+constexpr const char* kRubberBlock = R"json({ "mbgen": 1, "name": "rubber", "gravity": [0, 0, 0],
   "bodies": {
     "ground": { "points": { "a": [0, 0, 0], "m": [0.5, 0.1, 0.2] } },
     "arm": { "mass": 2, "com": [0, 0, 0.2], "inertia": [0.03, 0.03, 0.002],
@@ -36,7 +36,7 @@ constexpr const char* kRubber = R"json({ "mbgen": 1, "name": "rubber", "gravity"
 })json";
 
 TEST(Implicit, MatrixOfBushingsIsThatOfTheirLaws) {
-  const Free rubber{mechanism_of(kRubber)};
+  const Free rubber{mechanism_of(kRubberBlock)};
   const GenericState state = reference_state(rubber.m);
   ASSERT_LT(rubber.rates(state).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT(largest_difference(rubber.matrix(state), rubber.differences(state)), 1e-7);
