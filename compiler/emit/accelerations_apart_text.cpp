@@ -112,7 +112,10 @@ std::string call_of(const ProgramShape& shape) {
 }
 
 std::string text_of_program(const EmitContext& context, const Program& program, const ProgramShape& shape) {
-  return program_text(program, schedule(program, schedule_options(shape, context.options.roll_above)), shape);
+  ScheduleOptions options = schedule_options(shape, context.options.roll_above);
+  // Vectors of directions that cross parts are more than the first cache holds.
+  options.shares_places = shape.scalar == Scalar::directions;
+  return program_text(program, schedule(program, options), shape);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/kinds.hpp"
+#include "compiler/program/rewrite.hpp"
 
 namespace mbgen {
 namespace {
@@ -43,8 +44,9 @@ class DerivativesOf {
       if (is_wanted(slot) && derivative_[value][0] != kNoValue)
         along_.output(derivative_of(slot.group), slot.index, derivative_[value][0]);
     }
+    const Program along = without_still(optimise(remove_dead_values(along_.finish())));
     for (const auto& [number, slope] : slopes_) values_.output(Array::slope, slope, number);
-    DerivativesApart apart{values_.finish(), contract(along_.finish()), 0};
+    DerivativesApart apart{values_.finish(), contract(along), 0};
     number_slopes(apart);
     return apart;
   }
@@ -259,6 +261,38 @@ class DerivativesOf {
       default:
         return may_be_unbounded(node.op) ? times_where_moved(slopes[0], lane, d(0)) : times(slopes[0], lane, d(0));
     }
+  }
+
+  /// The program `along` whose operations on slopes alone are left to `values`.
+  Program without_still(const Program& along) {
+    std::vector<ValueId> of_slope(slopes_.size()), still(along.nodes.size(), kNoValue);
+    for (const auto& [number, slope] : slopes_) of_slope[static_cast<std::size_t>(slope)] = number;
+    return rewritten(along, [&](ProgramBuilder& builder, ValueId v, std::span<const ValueId>) {
+      const Node& node = along.nodes[v];
+      still[v] = still_value(along, node, still, of_slope);
+      if (still[v] == kNoValue || !is_operation(node)) return kNoValue;
+      const auto slope = slopes_.try_emplace(still[v], static_cast<int>(slopes_.size())).first;
+      return builder.input(Array::slope, slope->second);
+    });
+  }
+
+  /// The value in `values` of a node without derivatives, kNoValue for others.
+  ValueId still_value(const Program& along, const Node& node, const std::vector<ValueId>& still,
+                      const std::vector<ValueId>& of_slope) {
+    if (node.op == Op::constant) return values_.constant(node.constant);
+    if (node.op == Op::input) {
+      const Slot& slot = along.inputs[static_cast<std::size_t>(node.input)];
+      if (slot.group.derivative > 0) return kNoValue;
+      return slot.group == SlotGroup(Array::slope) ? of_slope[static_cast<std::size_t>(slot.index)]
+                                                   : values_.input(slot.group, slot.index);
+    }
+    ValueId operands[3] = {kNoValue, kNoValue, kNoValue};
+    for (int k = 0; k < arity(node.op); ++k) {
+      operands[k] = still[node.operands[k]];
+      if (operands[k] == kNoValue) return kNoValue;
+    }
+    values_.set_origin(node);
+    return values_.append(node.op, operands[0], operands[1], operands[2]);
   }
 
   /// Leaves the slopes that `along` takes and numbers them in its order.

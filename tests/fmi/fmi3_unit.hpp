@@ -127,6 +127,13 @@ class Unit3 {
         instance_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seeds.data(), seeds.size(),
         rates.data(), rates.size());
   }
+  int adjoint(const std::vector<unsigned>& unknowns, const std::vector<unsigned>& knowns,
+              const std::vector<double>& seeds, std::vector<double>& weights) {
+    weights.resize(knowns.size());
+    return call<fmi3GetAdjointDerivativeTYPE>("fmi3GetAdjointDerivative")(instance_, unknowns.data(), unknowns.size(),
+                                                                          knowns.data(), knowns.size(), seeds.data(),
+                                                                          seeds.size(), weights.data(), weights.size());
+  }
   int log(bool on, const std::vector<const char*>& categories) {
     return call<fmi3SetDebugLoggingTYPE>("fmi3SetDebugLogging")(instance_, on, categories.size(), categories.data());
   }
@@ -144,9 +151,6 @@ class Unit3 {
     require(call<fmi3GetInt32TYPE>("fmi3GetInt32")(instance_, &reference, 1, &whole, 1) == fmi3Error, "GetInt32");
     require(call<fmi3GetBooleanTYPE>("fmi3GetBoolean")(instance_, &reference, 1, &truth, 1) == fmi3Error, "GetBoolean");
     require(call<fmi3GetClockTYPE>("fmi3GetClock")(instance_, &reference, 1, &truth) == fmi3Error, "GetClock");
-    require(call<fmi3GetAdjointDerivativeTYPE>("fmi3GetAdjointDerivative")(instance_, &reference, 1, &reference, 1,
-                                                                           &value, 1, &value, 1) == fmi3Error,
-            "GetAdjointDerivative");
     require(call<fmi3GetOutputDerivativesTYPE>("fmi3GetOutputDerivatives")(instance_, &reference, 1, &whole, &value,
                                                                            1) == fmi3Error,
             "GetOutputDerivatives");

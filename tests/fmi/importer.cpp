@@ -19,6 +19,7 @@
 #include "sampling.hpp"
 #include "tuning.hpp"
 #include "turning.hpp"
+#include "weighing.hpp"
 
 namespace {
 
@@ -171,6 +172,7 @@ void differentiate(const Case& c) {
   const std::vector<unsigned> unknowns = references_of(all);
   const Row here = values(unit, unknowns);
   int zeros = 0, others = 0;
+  weigh_unknowns(unit, unknowns, knowns);
   for (std::size_t k = 0; k < knowns.size(); ++k) {
     Row rates, at[2];
     require(unit.directional(unknowns, {knowns[k]}, {1.0}, rates) == kOk, "directional derivative");

@@ -80,9 +80,9 @@ TEST(DerivativesApart, TextOfAProduct) {
             "%2 = input slope[0]\n"
             "%3 = mul %0 %2\n"
             "%4 = input slope[1]\n"
-            "%5 = mul %1 %4\n"
-            "%6 = input x[1]\n"
-            "%7 = muladd %3 %6 %5\n"
+            "%5 = input x[1]\n"
+            "%6 = mul %1 %4\n"
+            "%7 = muladd %3 %5 %6\n"
             "out d_y[0] = %7\n");
 }
 

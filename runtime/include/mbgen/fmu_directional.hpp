@@ -118,37 +118,82 @@ double rate_of(const Run<Model>& run, Place place, const typename Model::Directi
   }
 }
 
-/// Sum over the knowns of d(unknown)/d(known) times its rate. Answer: error for a known or unknown that is none;
-/// discard where a loop block has, or needs, other independent coordinates than the frozen ones.
+/// Whether the unknowns have derivatives at this state, which is solved then. Answer: error for one that is none;
+/// discard where a loop block has, or needs, other independent coordinates than the frozen ones, and near poles.
 template <class Model>
-Answer directional_derivative(Core<Model>& core, const unsigned* unknowns, unsigned long unknown_count,
-                              const unsigned* knowns, unsigned long known_count, const double* rates_of_knowns,
-                              double* rates_of_unknowns) noexcept {
+Answer prepare_derivatives(Core<Model>& core, const unsigned* unknowns, unsigned long count) noexcept {
   if constexpr (kCoSimulationAlone<Model>) {
     core.refusal.reason = "there are no directional derivatives: bodies roll, and positions are no states";
     return Answer::error;
   }
-  typename Model::Direction direction{};
-  for (unsigned long i = 0; i < known_count; ++i) {
-    if (!std::isfinite(rates_of_knowns[i]))
-      return refuse(core, Refusal::of_variable(knowns[i], "must have a finite rate"));
-    if (!add_known(core.run, place_of<Model>(knowns[i]), rates_of_knowns[i], direction))
-      return refuse(core, Refusal::of_variable(knowns[i], "is no known here: nothing is differentiated by it"));
-  }
-  for (unsigned long i = 0; i < unknown_count; ++i) {
+  for (unsigned long i = 0; i < count; ++i) {
     if (!is_unknown(place_of<Model>(unknowns[i]).group))
       return refuse(core, Refusal::of_variable(unknowns[i], "is no unknown: it has no derivative by others"));
   }
   core.refusal.reason = "a loop has, or needs, other independent coordinates than at the start";
   if (!is_frozen_choice(core.run.choice) || !solve(core)) return Answer::discard;
   core.refusal.reason = "a ball joint is near the pole of its angles: no derivative by them there";
-  if (in_other_chart(core.solved)) return Answer::discard;
+  return in_other_chart(core.solved) ? Answer::discard : Answer::ok;
+}
+
+/// Adds the rates of knowns to a direction. Answer: error for a known that is none, or a rate that is not finite.
+template <class Model>
+Answer add_knowns(Core<Model>& core, const unsigned* knowns, unsigned long count, const double* rates,
+                  typename Model::Direction& direction) noexcept {
+  for (unsigned long i = 0; i < count; ++i) {
+    if (!std::isfinite(rates[i])) return refuse(core, Refusal::of_variable(knowns[i], "must have a finite rate"));
+    if (!add_known(core.run, place_of<Model>(knowns[i]), rates[i], direction))
+      return refuse(core, Refusal::of_variable(knowns[i], "is no known here: nothing is differentiated by it"));
+  }
+  return Answer::ok;
+}
+
+/// Sum over the knowns of d(unknown)/d(known) times its rate. Answer: as prepare_derivatives, add_knowns, complete.
+template <class Model>
+Answer directional_derivative(Core<Model>& core, const unsigned* unknowns, unsigned long unknown_count,
+                              const unsigned* knowns, unsigned long known_count, const double* rates_of_knowns,
+                              double* rates_of_unknowns) noexcept {
+  typename Model::Direction direction{};
+  if constexpr (!kCoSimulationAlone<Model>) {
+    const Answer known = add_knowns(core, knowns, known_count, rates_of_knowns, direction);
+    if (known != Answer::ok) return known;
+  }
+  const Answer prepared = prepare_derivatives(core, unknowns, unknown_count);
+  if (prepared != Answer::ok) return prepared;
   typename Model::AccelerationsAlong rates;
   typename Model::OutputsAlong outputs;
   const Answer answer = complete(core, direction, rates, outputs);
   if (answer != Answer::ok) return answer;
   for (unsigned long i = 0; i < unknown_count; ++i) {
     rates_of_unknowns[i] = rate_of(core.run, place_of<Model>(unknowns[i]), direction, rates, outputs);
+  }
+  return Answer::ok;
+}
+
+/// Sum over the unknowns of d(unknown)/d(known) times its weight: a directional derivative for each known. Answer: as
+/// directional_derivative; the sums are then unfinished.
+template <class Model>
+Answer adjoint_derivative(Core<Model>& core, const unsigned* unknowns, unsigned long unknown_count,
+                          const unsigned* knowns, unsigned long known_count, const double* weights_of_unknowns,
+                          double* weights_of_knowns) noexcept {
+  const Answer prepared = prepare_derivatives(core, unknowns, unknown_count);
+  if (prepared != Answer::ok) return prepared;
+  for (unsigned long i = 0; i < unknown_count; ++i) {
+    if (!std::isfinite(weights_of_unknowns[i]))
+      return refuse(core, Refusal::of_variable(unknowns[i], "must have a finite weight"));
+  }
+  constexpr double kAlone = 1;
+  for (unsigned long k = 0; k < known_count; ++k) {
+    typename Model::Direction direction{};
+    typename Model::AccelerationsAlong rates;
+    typename Model::OutputsAlong outputs;
+    Answer answer = add_knowns(core, knowns + k, 1, &kAlone, direction);
+    if (answer == Answer::ok) answer = complete(core, direction, rates, outputs);
+    if (answer != Answer::ok) return answer;
+    double sum = 0;
+    for (unsigned long i = 0; i < unknown_count; ++i)
+      sum += weights_of_unknowns[i] * rate_of(core.run, place_of<Model>(unknowns[i]), direction, rates, outputs);
+    weights_of_knowns[k] = sum;
   }
   return Answer::ok;
 }

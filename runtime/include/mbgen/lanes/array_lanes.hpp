@@ -98,8 +98,16 @@ class Total {
   [[gnu::always_inline]] void add(const Real* values, int count) noexcept {
     using namespace array_detail;
     constexpr int width = kLanes<Real>;
-    for (int i = 0; i + width <= count; i += width) lanes_ += lanes_at<width>(values + i);
-    for (int i = count - count % width; i < count; ++i) rest_ += values[i];
+    int i = 0;
+    if constexpr (width == 1) {
+      // Two sums at a time: an addition waits for the one before it.
+      for (; i + 2 <= count; i += 2) {
+        lanes_ += lanes_at<width>(values + i);
+        rest_ += values[i + 1];
+      }
+    }
+    for (; i + width <= count; i += width) lanes_ += lanes_at<width>(values + i);
+    for (; i < count; ++i) rest_ += values[i];
   }
 
   [[gnu::always_inline]] Real value() const noexcept {
