@@ -41,7 +41,7 @@ LawShape along_of(LawShape law) {
 }
 
 /// The shape without numbers of the types of other ones.
-ProgramShape common_shape(const EmitContext& context, const ProgramShape& whole, int slopes) {
+ProgramShape common_shape(const ProgramShape& whole, int slopes) {
   ProgramShape shape = whole;
   shape.members.clear();
   shape.inputs[Array::t].texts = {"state.t"};
@@ -51,7 +51,6 @@ ProgramShape common_shape(const EmitContext& context, const ProgramShape& whole,
   for (auto& [group, place] : shape.inputs)
     if (has_both(group)) take_member(place, ".value");
   shape.inputs[Array::slope] = {"slopes", indexed("slopes.of", slopes), {}, "", "slopes.of"};
-  (void)context;
   return shape;
 }
 
@@ -133,7 +132,7 @@ std::string accelerations_apart_text(const EmitContext& context, const ShapedPro
     laws += law_with_slopes_text(context, k, apart, whole.laws[k], along_of(whole.laws[k]), whole.constants) + "\n";
   }
   const DerivativesApart apart = take_derivatives_apart(*shaped.program, moves, is_wanted);
-  const ProgramShape common = common_shape(context, whole, apart.slopes);
+  const ProgramShape common = common_shape(whole, apart.slopes);
   const ProgramShape values = values_shape(common, whole.constants), along = along_shape(whole, common);
   const FrameRows members = mapped(whole.members, [](const ArrayMember& member) {
     return FrameValues{{"name", member.name}, {"size", size_text(member.size)}, {"comment", member.comment}};
