@@ -231,4 +231,24 @@ Status GenericSolver::forces_at_actuators(const GenericState& state, const std::
   return {};
 }
 
+Status GenericSolver::forces_at_independent(const GenericState& state, const std::vector<double>& force,
+                                            std::vector<double>& tau) const {
+  const Status arguments = equations_->check_arguments(state, std::vector<double>(state.z.size(), 0.0));
+  if (!arguments.ok()) return arguments;
+  if (const int bad = first_not_finite(force); bad >= 0) return {Code::not_a_number, bad};
+  GenericActuatedMotion motion;
+  if (const Status status = motion.look(*equations_, state); !status.ok()) return status;
+  std::vector<double> on_all(state.z.size(), 0.0);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    for (std::size_t c = 0; c < on_all.size(); ++c) on_all[c] += motion.seen.direction[i][c] * force[i];
+  tau.assign(on_all.size(), 0.0);
+  const std::vector<int> free = free_coordinates(equations_->topology, equations_->analysis);
+  for (std::size_t q = 0; q < free.size(); ++q) {
+    std::vector<double> moved(on_all.size(), 0.0);
+    equations_->algebra.add_rz_times(Eigen::VectorXd::Unit(motion.directions, static_cast<Eigen::Index>(q)), moved);
+    for (std::size_t c = 0; c < on_all.size(); ++c) tau[static_cast<std::size_t>(free[q])] += moved[c] * on_all[c];
+  }
+  return {};
+}
+
 }  // namespace mbgen

@@ -102,6 +102,8 @@ class GenericSolver {
   Status actuator_jacobian(const GenericState& state, std::vector<double>& jacobian) const;
   Status forces_at_actuators(const GenericState& state, const std::vector<double>& tau,
                              std::vector<double>& force) const;
+  Status forces_at_independent(const GenericState& state, const std::vector<double>& force,
+                               std::vector<double>& tau) const;
   /// Side of the singular positions of the actuators on which a state is, 1 or -1; 0 of more actuators than directions.
   /// Requires: has_inverse_dynamics.
   int side_of_actuators(const GenericState& state) const;

@@ -1,6 +1,8 @@
 // Maps between motors and joints in the generic runtime, against the least forces of the judges, which know neither
 // free directions nor factors of loops.
 
+#include <algorithm>
+
 #include "runtime/judges/cartesian.hpp"
 #include "tests/support/reference_support.hpp"
 
@@ -42,6 +44,14 @@ TEST(ActuatorMapsOfTheGenericRuntime, AreThoseOfTheJudges) {
     }
     EXPECT_LT(relative_error(rates, state.zd), 1e-12);
     EXPECT_LT(relative_error(transposed, mapped), 1e-12);
+    // The same power on the independent coordinate alone, whatever moves the state.
+    std::vector<double> reduced;
+    ASSERT_TRUE(solver.forces_at_independent(state, mapped, reduced).ok());
+    double power = 0;
+    for (std::size_t c = 0; c < 3; ++c) power += tau[c] * state.zd[c];
+    const auto free = static_cast<std::size_t>(independent[0]);
+    EXPECT_NEAR(reduced[free] * state.zd[free], power, 1e-12 * std::abs(power));
+    EXPECT_EQ(std::ranges::count(reduced, 0.0), 2);
     // Motors lead to the state again, and their accelerations to its.
     GenericState near = state;
     near.z[static_cast<std::size_t>(independent[0])] += 0.02;
