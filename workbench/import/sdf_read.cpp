@@ -27,8 +27,9 @@ void add_frame(Reading& reading, const Element& element, std::string fallback, s
     problem(reading, element.spot, fmt::format("{} is the name of two links, joints or frames", quoted_text(*name)));
 }
 
-void read_members(Reading& reading, SdfModel& model) {
-  for (const Element& element : model.element->children) {
+/// whole: with nested models taken into it; links, joints and frames of the model point into it.
+void read_members(Reading& reading, const Element& whole, SdfModel& model) {
+  for (const Element& element : whole.children) {
     if (element.name == "link") {
       model.links.push_back(&element);
       add_frame(reading, element, kModelFrame, name_of(element), model);
@@ -183,8 +184,7 @@ bool is_axis_of_model(const Element& axis, double version) {
 
 std::optional<Isometry3d> pose_in(Reading& reading, const Element& model, std::string_view name, const Element& user) {
   SdfModel alone;
-  alone.element = &model;
-  read_members(reading, alone);
+  read_members(reading, model, alone);
   return frame_pose(reading, alone, name, user);
 }
 
@@ -204,7 +204,7 @@ std::optional<SdfModel> read_sdf(Reading& reading, const Element& root, Assembly
   if (!model.element) return std::nullopt;
   model.whole = with_nested_models(reading, *model.element, model.version);
   if (!reading.problems.empty()) return std::nullopt;
-  read_members(reading, model);
+  read_members(reading, model.whole, model);
   if (model.links.empty()) problem(reading, model.element->spot, "model has no links");
   if (!reading.problems.empty()) return std::nullopt;
   const Element* pose = child(*model.element, "pose");
