@@ -243,25 +243,20 @@ template <class System>
 Status take_to_independent(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                            const typename System::State& state, RealOf<System>* tau) noexcept {
   using Real = RealOf<System>;
-  unsigned char independent[System::kCoordinates] = {};
-  for (const FreeDirection& direction : System::kFreeDirection) independent[direction.coordinate] = 1;
-  typename System::ClosureTerms terms;
-  System::closure_terms(parameters, inputs, state, terms);
-  BlockFactors<System> factors;
+  FactorsOfFrozen<System> frozen;
+  frozen.look(parameters, inputs, state);
+  LoopFactorsOf<Real> loop;
   Real local[System::kBlockCoordinates], lambda[System::kEquations];
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
-    const LoopFactorsOf<Real> loop = chosen_factors<System>(b, independent, terms, factors);
-    const bool is_regular =
-        loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
-    if (block.rank > 0 && !is_regular) return {Code::loop_singular, b};
+    if (const Status status = frozen.factorise(b, loop); !status.ok()) return status;
     const int* const coordinate = System::kBlockCoordinate + block.first_coordinate;
     for (int c = 0; c < block.coordinates; ++c) local[c] = tau[coordinate[c]];
-    solve_transposed(loop, local, lambda, factors.work);
+    solve_transposed(loop, local, lambda, frozen.factors.work);
     for (int c = 0; c < block.coordinates; ++c) tau[coordinate[c]] = local[c];
   }
   for (int c = 0; c < System::kCoordinates; ++c)
-    if (independent[c] == 0) tau[c] = Real(0);  // of driven ones
+    if (frozen.independent[c] == 0) tau[c] = Real(0);  // of driven ones
   return {};
 }
 

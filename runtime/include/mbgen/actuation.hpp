@@ -57,21 +57,18 @@ bool are_alike(int b, const RealOf<System>* given, const RealOf<System>* closed)
 }
 
 /// All accelerations from given ones: of a block whose given accelerations are a motion these, of others by the
-/// independent coordinates of the frozen partition. Fails: loop_singular where neither determines a
-/// block.
+/// independent coordinates of the frozen partition. Fails: loop_singular where neither determines a block.
 template <class System>
 Status complete_given(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                       const typename System::State& state, ActuatedMotion<System>& motion,
                       RealOf<System>* zdd) noexcept {
   using Real = RealOf<System>;
-  unsigned char independent[System::kCoordinates] = {};
-  for (const FreeDirection& direction : System::kFreeDirection) independent[direction.coordinate] = 1;
-  typename System::ClosureTerms terms;
-  System::closure_terms(parameters, inputs, state, terms);
-  BlockFactors<System> factors;
+  FactorsOfFrozen<System> frozen;
+  frozen.look(parameters, inputs, state);
+  LoopFactorsOf<Real> loop;
   Real local[System::kBlockCoordinates];
   for (int i = 0; i < System::kCoordinates; ++i)
-    if (System::kDriven[i] != 0) zdd[i] = terms.driven_acceleration[i];
+    if (System::kDriven[i] != 0) zdd[i] = frozen.terms.driven_acceleration[i];
   for (int b = 0; b < System::kBlocks; ++b) {
     const BlockLayout& block = System::kBlockLayout[b];
     const int* const coordinate = System::kBlockCoordinate + block.first_coordinate;
@@ -81,12 +78,9 @@ Status complete_given(const typename System::Parameters& parameters, const typen
     start();
     motion.loops.solution(b).accelerating(local);
     if (!are_alike<System>(b, zdd, local)) {
-      const LoopFactorsOf<Real> loop = chosen_factors<System>(b, independent, terms, factors);
-      const bool is_regular =
-          loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
-      if (!is_regular) return {Code::loop_singular, b};
+      if (const Status status = frozen.factorise(b, loop); !status.ok()) return status;
       start();
-      ByFactors<System>{b, loop, terms, factors.work, nullptr}.accelerating(local);
+      ByFactors<System>{b, loop, frozen.terms, frozen.factors.work, nullptr}.accelerating(local);
     }
     for (int c = 0; c < block.coordinates; ++c) zdd[coordinate[c]] = local[c];
   }

@@ -33,6 +33,31 @@ LoopFactorsOf<RealOf<System>> chosen_factors(int b, const unsigned char* indepen
   return factors.factors_of(b, terms, block.rank, fixed);
 }
 
+/// Factors of the loops at one position with the independent coordinates of the frozen partition, whatever its own
+/// pivots are there.
+template <class System>
+struct FactorsOfFrozen {
+  unsigned char independent[System::kCoordinates] = {};  ///< per coordinate
+  typename System::ClosureTerms terms;
+  BlockFactors<System> factors;
+
+  void look(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+            const typename System::State& state) noexcept {
+    for (const FreeDirection& direction : System::kFreeDirection) independent[direction.coordinate] = 1;
+    System::closure_terms(parameters, inputs, state, terms);
+  }
+
+  /// Factors of block b. Fails: loop_singular where these coordinates do not determine it.
+  Status factorise(int b, LoopFactorsOf<RealOf<System>>& loop) noexcept {
+    using Real = RealOf<System>;
+    const BlockLayout& block = System::kBlockLayout[b];
+    loop = chosen_factors<System>(b, independent, terms, factors);
+    const bool is_regular =
+        loop.rank == block.rank && smallest_pivot(loop) >= kSingular<Real> * static_cast<Real>(block.pivot);
+    return block.rank == 0 || is_regular ? Status{} : Status{Code::loop_singular, b};
+  }
+};
+
 /// Corrections that leave the independent coordinates where they are. Fails: loop_singular.
 template <class System>
 Status correct_dependents(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
