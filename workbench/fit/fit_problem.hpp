@@ -63,8 +63,8 @@ Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values);
 std::string kind_of_derivatives(const FitProblem& problem);
 
 /// The work that the channels of the files ask for. Sets the problem's measures and works, and the places of the
-/// channels in them. Requires: prepare(model). Fails: UserError.
-void plan_work(const std::vector<std::string>& manoeuvres, FitProblem& problem);
+/// channels in them. rigs: outlines that are known. Requires: prepare(model). Fails: UserError.
+void plan_work(const std::vector<std::string>& manoeuvres, RigReports& rigs, FitProblem& problem);
 
 /// A work at values of the unknowns.
 Outcome outcome_of(const FitProblem& problem, const Work& work, const std::vector<double>& values, Care care);

@@ -18,14 +18,13 @@ constexpr double kFirstNoise = 0.1;
 
 /// Reads the data files. Fails: UserError.
 std::vector<MeasuredFile> read_files(const FitArguments& arguments, const FreeModel& model,
-                                     std::vector<Channel>& channels) {
+                                     std::vector<Channel>& channels, RigReports& rigs) {
   std::vector<MeasuredFile> files;
   std::vector<std::string> notes;
-  RigReports reports;
   const auto read = [&](const std::vector<std::string>& paths, bool is_held_out) {
     for (const std::string& path : paths) {
       const MeasuredTable table = read_measured_table(path);
-      files.push_back(time_column(table) < 0 ? read_rig(table, model, reports, channels, is_held_out, notes)
+      files.push_back(time_column(table) < 0 ? read_rig(table, model, rigs, channels, is_held_out, notes)
                                              : read_run(table, model.model, channels, is_held_out, notes));
     }
   };
@@ -102,7 +101,8 @@ double size_of(const std::vector<MeasuredFile>& files, int channel) {
 FitProblem read_problem(const FitArguments& arguments, FreeModel& model) {
   std::vector<Channel> channels = matched_channels(model.model, arguments.match);
   std::vector<Unknown> unknowns = free_parameters(model.model, arguments.free);
-  std::vector<MeasuredFile> files = read_files(arguments, model, channels);
+  RigReports rigs;
+  std::vector<MeasuredFile> files = read_files(arguments, model, channels, rigs);
   std::vector<int> runs;
   for (std::size_t f = 0; f < files.size(); ++f)
     if (files[f].is_run() && !files[f].is_held_out) runs.push_back(static_cast<int>(f));
@@ -122,7 +122,7 @@ FitProblem read_problem(const FitArguments& arguments, FreeModel& model) {
                      .files = std::move(files),
                      .jobs = arguments.jobs};
   set_sizes(problem);
-  plan_work(arguments.manoeuvres, problem);
+  plan_work(arguments.manoeuvres, rigs, problem);
   take_units(problem);
   return problem;
 }

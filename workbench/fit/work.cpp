@@ -14,7 +14,7 @@ namespace mbgen::fit {
 namespace {
 
 /// Adds the sources of the measures of rig curves and targets; held: of the files that are held out.
-void add_sources(const std::vector<std::string>& manoeuvres, bool held, FitProblem& problem) {
+void add_sources(const std::vector<std::string>& manoeuvres, bool held, RigReports& rigs, FitProblem& problem) {
   std::vector<Measure> measures;
   std::vector<MeasuredChannel*> channels;
   std::vector<std::string> paths;
@@ -26,7 +26,7 @@ void add_sources(const std::vector<std::string>& manoeuvres, bool held, FitProbl
       paths.push_back(file.path);
     }
   if (measures.empty()) return;
-  MeasureSet set = with_sources(problem.model, problem.unknowns, std::move(measures), {manoeuvres, {}});
+  MeasureSet set = with_sources(problem.model, problem.unknowns, std::move(measures), {manoeuvres, {}}, rigs);
   const std::size_t before = problem.measures.measures.size();
   for (MeasureSource& source : set.sources) {
     Work work{.name = paths[source.measures.front()],
@@ -76,7 +76,7 @@ void run_tasks(const FitProblem& problem, std::size_t count, const std::function
   in_threads(count, run, static_cast<std::size_t>(problem.jobs));
 }
 
-void plan_work(const std::vector<std::string>& manoeuvres, FitProblem& problem) {
+void plan_work(const std::vector<std::string>& manoeuvres, RigReports& rigs, FitProblem& problem) {
   for (std::size_t f = 0; f < problem.files.size(); ++f) {
     MeasuredFile& file = problem.files[f];
     if (!file.is_run()) continue;
@@ -86,7 +86,7 @@ void plan_work(const std::vector<std::string>& manoeuvres, FitProblem& problem) 
     }
     problem.works.push_back({.name = file.path, .is_held_out = file.is_held_out, .run = static_cast<int>(f)});
   }
-  for (const bool held : {false, true}) add_sources(manoeuvres, held, problem);
+  for (const bool held : {false, true}) add_sources(manoeuvres, held, rigs, problem);
 }
 
 Outcome outcome_of(const FitProblem& problem, const Work& work, const std::vector<double>& values, Care care) {

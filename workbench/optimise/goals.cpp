@@ -83,8 +83,8 @@ std::vector<double> read_points(const std::string& what, const std::string& file
 /// Reads one text after another.
 class WishReader {
  public:
-  WishReader(const FreeModel& model, const std::vector<std::string>& manoeuvres)
-      : model_(model), manoeuvres_(manoeuvres) {}
+  WishReader(const FreeModel& model, const std::vector<std::string>& manoeuvres, RigReports& rigs)
+      : model_(model), manoeuvres_(manoeuvres), rigs_(rigs) {}
 
   void read_goal(const std::string& text);
   void read_constraint(const std::string& text);
@@ -99,7 +99,7 @@ class WishReader {
 
   const FreeModel& model_;
   const std::vector<std::string>& manoeuvres_;
-  RigReports rigs_;
+  RigReports& rigs_;
   Wishes wishes_;
 };
 
@@ -258,8 +258,9 @@ void refuse_empty(const Wishes& wishes) {
 }  // namespace
 
 Wishes read_wishes(const FreeModel& model, const std::vector<std::string>& goals,
-                   const std::vector<std::string>& constraints, const std::vector<std::string>& manoeuvres) {
-  WishReader reader(model, manoeuvres);
+                   const std::vector<std::string>& constraints, const std::vector<std::string>& manoeuvres,
+                   RigReports& rigs) {
+  WishReader reader(model, manoeuvres, rigs);
   for (const std::string& text : split_list(goals)) reader.read_goal(text);
   for (const std::string& text : split_list(constraints)) reader.read_constraint(text);
   return reader.take();

@@ -46,9 +46,11 @@ struct Wishes {
   std::vector<std::string> files = {};  ///< tables that were read
 };
 
-/// Reads the texts, with the tables of curves. Limits with a unit are numbers after set_numbers. Fails: UserError.
+/// Reads the texts, with the tables of curves. Limits with a unit are numbers after set_numbers. rigs: outlines for
+/// their names, afterwards. Fails: UserError.
 Wishes read_wishes(const FreeModel& model, const std::vector<std::string>& goals,
-                   const std::vector<std::string>& constraints, const std::vector<std::string>& manoeuvres);
+                   const std::vector<std::string>& constraints, const std::vector<std::string>& manoeuvres,
+                   RigReports& rigs);
 
 /// Turns targets and limits into numbers of the measures' units, and sets scales that were not given by the responses
 /// at the start, one for each measure. Fails: UserError for a unit of another dimension.

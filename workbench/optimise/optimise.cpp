@@ -130,7 +130,8 @@ void read_problem(const OptimiseArguments& arguments, FreeModel& model, DesignPr
   for (const Unknown& variable : problem.variables)
     if (variable.is_physical)
       throw UserError(fmt::format("--free {0}=physical: is of fit alone: give bounds, {0}=LOW:HIGH\n", variable.name));
-  problem.wishes = read_wishes(model, arguments.goals, arguments.constraints, arguments.manoeuvres);
+  RigReports rigs;
+  problem.wishes = read_wishes(model, arguments.goals, arguments.constraints, arguments.manoeuvres, rigs);
   problem.method = method_of(arguments.method, problem.wishes);
   problem.jobs = arguments.jobs;
   problem.most_evaluations = arguments.most_evaluations;
@@ -138,7 +139,7 @@ void read_problem(const OptimiseArguments& arguments, FreeModel& model, DesignPr
   prepare(model, problem.variables, {false, std::ranges::any_of(problem.wishes.measures, is_mode)});
   if (!model.is_tuned) print_message("optimise: the model is analysed anew for each value: {}\n", model.why_not_tuned);
   problem.measures =
-      with_sources(model, problem.variables, problem.wishes.measures, {arguments.manoeuvres, arguments.rig});
+      with_sources(model, problem.variables, problem.wishes.measures, {arguments.manoeuvres, arguments.rig}, rigs);
   for (const MeasureSource& source : problem.measures.sources)
     if (source.of == MeasureSource::Of::motion) model.choice = source.study.choice;
 }

@@ -44,9 +44,9 @@ bool needs_rates(const Measure& measure, const KcReport& outline) {
 }
 
 /// The curves that a rig has to give, as far and in as many points as they are wanted.
-void prepare_rig(const FreeModel& model, const std::vector<Measure>& measures, MeasureSource& source) {
-  RigReports known;
-  const KcReport& outline = outline_of_rig(model, source.axle, known);
+void prepare_rig(const FreeModel& model, const std::vector<Measure>& measures, RigReports& rigs,
+                 MeasureSource& source) {
+  const KcReport& outline = outline_of_rig(model, source.axle, rigs);
   KcSettings& rig = source.rig;
   rig.has_rates = false;
   for (const std::size_t q : source.measures) {
@@ -175,12 +175,12 @@ void evaluate_motion(const MeasureSource& source, const std::vector<Measure>& me
 }  // namespace
 
 MeasureSet with_sources(const FreeModel& model, const std::vector<Unknown>& unknowns, std::vector<Measure> measures,
-                        const SourceArguments& arguments) {
+                        const SourceArguments& arguments, RigReports& rigs) {
   MeasureSet set{std::move(measures), {}};
   for (std::size_t q = 0; q < set.measures.size(); ++q)
     source_for(set.measures[q], arguments, set.sources).measures.push_back(q);
   for (MeasureSource& source : set.sources) {
-    if (source.of == MeasureSource::Of::rig) prepare_rig(model, set.measures, source);
+    if (source.of == MeasureSource::Of::rig) prepare_rig(model, set.measures, rigs, source);
     if (source.of == MeasureSource::Of::motion) prepare_motion(model, unknowns, set.measures, arguments, source);
   }
   return set;

@@ -8,6 +8,7 @@
 #include "workbench/kc/kc.hpp"
 #include "workbench/search/free_model.hpp"
 #include "workbench/search/measure.hpp"
+#include "workbench/search/rig.hpp"
 #include "workbench/sweep/sweep_case.hpp"
 
 namespace mbgen {
@@ -40,9 +41,10 @@ struct MeasureSet {
   std::vector<MeasureSource> sources;
 };
 
-/// The measures with their sources; analyses and compiles for motions. Requires: prepare(model). Fails: UserError.
+/// The measures with their sources; analyses and compiles for motions. rigs: outlines that are known, and more
+/// afterwards. Requires: prepare(model). Fails: UserError.
 MeasureSet with_sources(const FreeModel& model, const std::vector<Unknown>& unknowns, std::vector<Measure> measures,
-                        const SourceArguments& arguments);
+                        const SourceArguments& arguments, RigReports& rigs);
 
 /// A measure at values of the free parameters.
 struct Response {
