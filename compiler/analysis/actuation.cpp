@@ -6,6 +6,7 @@
 #include <set>
 
 #include "compiler/algebra/dense.hpp"
+#include "compiler/algebra/median.hpp"
 #include "compiler/analysis/direction_names.hpp"
 #include "compiler/analysis/elimination_order.hpp"
 #include "mbgen/solver/orthonormal.hpp"
@@ -94,7 +95,7 @@ ActuationAt actuation_at(NumericSystem& numbers, const Analysis& analysis, const
   System<double>& system = numbers.at(z);
   const Kinematics<double> k = kinematics(system);
   const Velocities<double> v = velocities(system, k);
-  std::vector<GroupProjection<double>> projections =
+  const std::vector<GroupProjection<double>> projections =
       frozen_directions(system, k, analysis.directions.partitions, analysis.directions.held);
   const std::vector<SparseRow<double>> rows = actuation(system, k, v, projections);
   MatrixXd matrix = MatrixXd::Zero(static_cast<Index>(directions), static_cast<Index>(system.model.actuators.size()));
@@ -104,18 +105,18 @@ ActuationAt actuation_at(NumericSystem& numbers, const Analysis& analysis, const
   AppliedForces<double> none;
   none.about = v.about;
   const detail::ForceWork<double> work{system, k, v, none};
-  const std::vector<GroupProjection<double>> signed_ones = projections;
-  for (GroupProjection<double>& projection : projections)
+  std::vector<GroupProjection<double>> without_signs = projections;
+  for (GroupProjection<double>& projection : without_signs)
     for (std::vector<double>& row : projection.rz)
       for (double& entry : row) entry = std::abs(entry);
   for (Index a = 0; a < matrix.cols(); ++a) {
     const Actuator& actuator = system.model.actuators[static_cast<std::size_t>(a)];
     const std::vector<double> possible =
-        detail::along_directions(system.topology, projections, possible_levers(work, actuator));
+        detail::along_directions(system.topology, without_signs, possible_levers(work, actuator));
     for (Index q = 0; q < matrix.rows(); ++q)
       if (std::abs(matrix(q, a)) <= kNoLever * possible[static_cast<std::size_t>(q)]) matrix(q, a) = 0;
   }
-  const double smallest = smallest_speed(system, matrix, signed_ones);
+  const double smallest = smallest_speed(system, matrix, projections);
   return {std::move(matrix), smallest};
 }
 
@@ -168,14 +169,6 @@ std::vector<int> directions_without_force(const std::vector<MatrixXd>& matrices,
   for (std::size_t q = 0; q < names.size(); ++q)
     if (std::find(moved.begin(), moved.end(), static_cast<int>(q)) == moved.end()) left.push_back(names[q]);
   return left;
-}
-
-/// The median, 0 of nothing.
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The free directions and those of motions that actuators give.

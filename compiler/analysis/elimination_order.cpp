@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "compiler/algebra/median.hpp"
 #include "compiler/analysis/partition_numbers.hpp"
 #include "compiler/analysis/sparse_elimination.hpp"
 #include "compiler/analysis/triangular.hpp"
@@ -73,8 +74,7 @@ std::pair<int, int> choose_pivot(const Elimination& e, const std::vector<int>& r
 double median_pivot(const Elimination& e, int row, int column) {
   std::vector<double> values;
   for (const MatrixXd& m : e.matrices) values.push_back(std::abs(m(row, column)) * e.row_scale[row]);
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  return median(std::move(values));
 }
 
 /// Eliminates one diagonal block of the triangular form and appends its pivots. given: the pivots, chosen where there

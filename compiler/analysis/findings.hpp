@@ -97,7 +97,7 @@ struct Analysis {
   std::vector<BlockAnalysis> blocks;  ///< one per Topology::blocks
   std::vector<bool> driven;           ///< per tree coordinate
   std::vector<int> motion_of;         ///< per tree coordinate: index into Model::motions or -1
-  ActuatedDirections directions;  ///< empty without actuators
+  ActuatedDirections directions;      ///< empty without actuators
   /// Pivots of Rz' B: equations are directions (actuated_coordinates), coordinates actuators. Its independent columns
   /// are actuators beyond the ones that move every direction.
   LoopPartition actuation;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/algebra/median.hpp"
 #include "compiler/analysis/freedom_walk.hpp"
 #include "compiler/analysis/partition.hpp"
 #include "compiler/analysis/partition_numbers.hpp"
@@ -60,11 +61,6 @@ void go_on(const std::vector<double>& before, std::vector<double>& way) {
     for (double& rate : way) rate = -rate;
 }
 
-double median_along(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 /// Two pivots of a fine block and how near zero they come, over their medians.
 struct PairOrder {
   Pivot first, second;
@@ -84,8 +80,7 @@ PairOrder order_of_pair(const std::vector<SparseRows>& samples, const int (&rows
         changes_sign = changes_sign || (entry(r, c) < 0) != (samples[0][rows[r]].at(columns[c]) < 0);
         second.push_back(first.back() > 0 ? std::abs(determinant) / first.back() : 0.0);
       }
-      const PairOrder order{{rows[r], columns[c], median_along(first)},
-                            {rows[1 - r], columns[1 - c], median_along(second)}};
+      const PairOrder order{{rows[r], columns[c], median(first)}, {rows[1 - r], columns[1 - c], median(second)}};
       double least = changes_sign ? 0 : 1;
       for (std::size_t s = 0; s < samples.size(); ++s)
         least = std::min({least, first[s] / order.first.reference, second[s] / order.second.reference});
@@ -117,7 +112,7 @@ std::vector<Pivot> ordered_finely(const std::vector<SparseRows>& samples, const 
     }
     std::vector<double> sizes;
     for (const SparseRows& sample : samples) sizes.push_back(std::abs(sample[rows[0]].at(columns[0])));
-    ordered.push_back({rows[0], columns[0], median_along(sizes)});
+    ordered.push_back({rows[0], columns[0], median(sizes)});
   }
   return ordered;
 }

@@ -3,12 +3,12 @@
 // runtime, symbols make the emitted programs. T offers + - * / sqrt sin cos ... select; comparisons on symbols do not
 // compile.
 
+#include "compiler/formulation/actuators_seen.hpp"
 #include "compiler/formulation/closure.hpp"
 #include "compiler/formulation/constants.hpp"
 #include "compiler/formulation/driven.hpp"
 #include "compiler/formulation/dynamics.hpp"
 #include "compiler/formulation/inertia.hpp"
-#include "compiler/formulation/actuators_seen.hpp"
 #include "compiler/formulation/kinematics.hpp"
 #include "compiler/formulation/layout.hpp"
 #include "compiler/formulation/loop_solution.hpp"

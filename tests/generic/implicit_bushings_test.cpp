@@ -42,8 +42,8 @@ TEST(Implicit, MatrixOfBushingsIsThatOfTheirLaws) {
   EXPECT_LT(largest_difference(rubber.matrix(state), rubber.differences(state)), 1e-7);
 }
 
-// Stiff arms, up to 730 Hz: at a millisecond beyond Runge-Kutta's region. They start at rest under the load that the road
-// then changes: released from anywhere else they ring, which steps of a millisecond damp instead of following.
+// Stiff arms, up to 730 Hz: at a millisecond beyond Runge-Kutta's region. They start at rest under the load that the
+// road then changes: released from anywhere else they ring, which steps of a millisecond damp instead of following.
 TEST(Implicit, WishboneInRubberAtAMillisecond) {
   const Free wishbone{load("models/rubber_wishbone.json")};
   GenericState start = reference_state(wishbone.m);
