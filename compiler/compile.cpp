@@ -214,6 +214,10 @@ std::vector<EmittedFile> emit_casadi(const Compilation& c, const InitialState& i
   return emit_casadi(c.whole.programs, programs_for_slopes(c), c.emitted, c.model, c.topology, c.analysis, initial);
 }
 
+std::vector<EmittedFile> emit_adjoint(const Compilation& c, const EmitOptions& options) {
+  return emit_adjoint(c.emitted, c.model, c.topology, c.analysis, options);
+}
+
 std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<double>& z) {
   std::optional<Analysis> analysis = chosen_at(c.model, c.topology, c.analysis, z);
   if (!analysis) return {};

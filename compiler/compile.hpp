@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/adjoint/adjoint.hpp"
 #include "compiler/analysis/analysis.hpp"
 #include "compiler/casadi/casadi.hpp"
 #include "compiler/emit/emit.hpp"
@@ -116,6 +117,9 @@ Result<LinearSystem> linearise_by_any_choice(const Compilation& compilation, con
 
 /// The files for CasADi and acados, see emit_casadi. Requires: no_explicit_motion of the model is empty.
 std::vector<EmittedFile> emit_casadi(const Compilation& compilation, const InitialState& initial);
+
+/// The solver's steps backwards, see emit_adjoint. Requires: options.tangents.
+std::vector<EmittedFile> emit_adjoint(const Compilation& compilation, const EmitOptions& options);
 
 /// The files of an FMU that starts from `initial`, see emit_fmu.
 FmuFiles emit_fmu(const Compilation& compilation, const InitialState& initial, FmiVersion version);

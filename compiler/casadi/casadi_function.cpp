@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "compiler/emit/mapped.hpp"
+#include "compiler/passes/passes.hpp"
 
 namespace mbgen {
 namespace {
@@ -89,9 +90,14 @@ struct FunctionMaker {
     made.factor_values = functions(split.factors, std::string(letter) + "_factors", joined_slots({factors, monitors}));
     made.directions = functions(split.directions, std::string(letter) + "_directions", changes);
     std::vector<Slot> sums;
-    for (int j = 0; j < arguments.columns(); ++j) sums.push_back({derivative_of(Array::seed), j});
-    made.sums =
-        functions(transposed(split.directions, changes, arguments.columns()), std::string(letter) + "_sums", sums);
+    std::vector<SlotPlace> weights, columns;
+    for (int i = 0; i < static_cast<int>(changes.size()); ++i)
+      weights.push_back({changes[static_cast<std::size_t>(i)], {Array::seed, i}});
+    for (int j = 0; j < arguments.columns(); ++j) {
+      sums.push_back({derivative_of(Array::seed), j});
+      columns.push_back({{Array::seed, j}, sums.back()});
+    }
+    made.sums = functions(transposed(split.directions, weights, columns), std::string(letter) + "_sums", sums);
     made.jacobian = dependence(slopes, changes, arguments.columns());
     return made;
   }

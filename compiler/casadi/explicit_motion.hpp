@@ -53,9 +53,4 @@ SplitSlopes split_slopes(const Program& slopes);
 /// Per value: whether it depends on the direction, Array::seed.
 std::vector<bool> along_direction(const Program& program);
 
-/// The transpose of `directions`, which is linear in its direction: of a weight for each row (Array::seed, by its place
-/// in `rows`) the weighted sum of the rows' derivatives by each of the arguments (derivative of Array::seed). The same
-/// operations, from the results to the direction. Fails: std::logic_error for a program that is not linear.
-Program transposed(const Program& directions, const std::vector<Slot>& rows, int arguments);
-
 }  // namespace mbgen

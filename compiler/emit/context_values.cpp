@@ -55,6 +55,7 @@ FrameValues context_values(const EmitContext& context) {
           {"scalar", name_of(context.options.scalar)},
           {"tangents", context.options.scalar == Scalar::tangents},
           {"with_tangents", context.options.tangents},
+          {"with_adjoint", context.options.adjoint},
           {"directions", kDirections},
           {"lanes", context.options.lanes > 0 ? std::to_string(context.options.lanes) : ""},
           {"initial", context.options.initial.has_value()},

@@ -53,6 +53,7 @@ struct EmitOptions {
   Scalar scalar = Scalar::doubles;  ///< of the solver: doubles, or floats without the two interfaces
   std::optional<InitialState> initial = {};  ///< add initial_state() to the interfaces
   bool tangents = false;                     ///< add <model>_tangents.hpp and .cpp, the solver with derivatives
+  bool adjoint = false;                      ///< CMakeLists.txt builds <model>_adjoint.cpp; needs `tangents`
   bool c_interface = false;                  ///< add <model>_c.h, <model>_c.cpp and <model>.py; needs `initial`
   bool casadi = false;                       ///< CMakeLists.txt includes <model>_casadi.cmake
   bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them

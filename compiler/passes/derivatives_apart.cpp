@@ -44,9 +44,9 @@ class DerivativesOf {
       if (is_wanted(slot) && derivative_[value][0] != kNoValue)
         along_.output(derivative_of(slot.group), slot.index, derivative_[value][0]);
     }
-    const Program along = without_still(optimise(remove_dead_values(along_.finish())));
+    Program along = without_still(optimise(remove_dead_values(along_.finish())));
     for (const auto& [number, slope] : slopes_) values_.output(Array::slope, slope, number);
-    DerivativesApart apart{values_.finish(), contract(along), 0};
+    DerivativesApart apart{values_.finish(), std::move(along), 0};
     number_slopes(apart);
     return apart;
   }
@@ -323,7 +323,37 @@ class DerivativesOf {
 
 DerivativesApart take_derivatives_apart(const Program& program, const std::function<bool(const Slot&)>& moves,
                                         const std::function<bool(const Slot&)>& is_wanted) {
-  return DerivativesOf(program, moves).finish(is_wanted);
+  DerivativesApart apart = DerivativesOf(program, moves).finish(is_wanted);
+  apart.along = contract(apart.along);
+  return apart;
+}
+
+Program adjoint(const Program& program, const std::function<bool(const Slot&)>& moves,
+                const std::function<bool(const Slot&)>& is_weighted, const std::function<bool(const Slot&)>& is_kept) {
+  const DerivativesApart apart = DerivativesOf(program, moves).finish(is_weighted);
+  std::vector<SlotPlace> rows, columns;
+  for (const OutputValue& output : apart.along.outputs) rows.push_back({output.slot, output.slot});
+  for (const Slot& slot : apart.along.inputs)
+    if (slot.group.derivative > 0) columns.push_back({slot, slot});
+  const Program weights = contract(transposed(apart.along, rows, columns));
+
+  ProgramBuilder joined = ProgramBuilder::like(program);
+  std::vector<ValueId> of_values, of_weights;
+  for (const Node& node : apart.values.nodes) of_values.push_back(joined.copy(apart.values, node, of_values));
+  std::vector<ValueId> slopes(static_cast<std::size_t>(apart.slopes), kNoValue);
+  for (const auto& [slot, value] : apart.values.outputs) {
+    if (slot.group == SlotGroup(Array::slope)) slopes[static_cast<std::size_t>(slot.index)] = of_values[value];
+    if (is_kept(slot)) joined.output(slot.group, slot.index, of_values[value]);
+  }
+  for (const Node& node : weights.nodes) {
+    const bool is_slope =
+        node.op == Op::input && weights.inputs[static_cast<std::size_t>(node.input)].group == SlotGroup(Array::slope);
+    of_weights.push_back(
+        is_slope ? slopes[static_cast<std::size_t>(weights.inputs[static_cast<std::size_t>(node.input)].index)]
+                 : joined.copy(weights, node, of_weights));
+  }
+  for (const auto& [slot, value] : weights.outputs) joined.output(slot.group, slot.index, of_weights[value]);
+  return remove_dead_values(joined.finish());
 }
 
 }  // namespace mbgen

@@ -82,6 +82,26 @@ struct DerivativesApart {
 DerivativesApart take_derivatives_apart(const Program& program, const std::function<bool(const Slot&)>& moves,
                                         const std::function<bool(const Slot&)>& is_wanted);
 
+/// A slot, and the one that takes its place.
+struct SlotPlace {
+  Slot slot, place;
+};
+
+/// The transpose of a program that is linear in the inputs `columns`: of a weight for each row, an output at its place
+/// among the inputs, the weighted sum of the rows' derivatives by each column, at its place among the outputs. The same
+/// operations, from the results to the direction. Fails: std::logic_error for a program that is not linear, or for an
+/// output that is no row.
+///   %2 = mul %0 d_z[1], out d_zdd[0]   =>   %2 = mul %0 d_zdd[0], out d_z[1]
+Program transposed(const Program& linear, const std::vector<SlotPlace>& rows, const std::vector<SlotPlace>& columns);
+
+/// The adjoint of a program: it takes the values that the program takes and a weight of each output, as
+/// derivative_of(group), and gives the derivative of the weighted sum of the outputs by each input, likewise. moves:
+/// whether an input has one; is_weighted: whether an output has a weight; is_kept: whether an output is given as well.
+/// One pass, from the outputs to the inputs, over the slopes of take_derivatives_apart: a slope without bound is not
+/// finite here, though its argument may stand still. Contracted. Requires: a program without pairs.
+Program adjoint(const Program& program, const std::function<bool(const Slot&)>& moves,
+                const std::function<bool(const Slot&)>& is_weighted, const std::function<bool(const Slot&)>& is_kept);
+
 /// The same values in the order of the paper's steps, each step once, and in a step from one part of the mechanism to
 /// the next as far as operands allow. Dead values and inputs leave. Ensures: the same outputs bit for bit. Factor of
 /// error: 1.

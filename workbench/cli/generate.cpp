@@ -32,7 +32,7 @@ struct GenerateOptions {
   std::string model, form, directory, name, depfile, dump;
   std::vector<std::string> set, sensitivities, states;
   EmitOptions emit;
-  bool c_interface = false, casadi = false, reading = false, measure = false, json = false;
+  bool c_interface = false, casadi = false, adjoint = false, reading = false, measure = false, json = false;
   std::optional<double> budget;  ///< microseconds of a step
 };
 
@@ -89,6 +89,8 @@ void require_precision(const GenerateOptions& options) {
     throw UserError(
         "generate: --sensitivities has derivatives of doubles: leave out --sensitivities or --scalar float\n");
   }
+  if (options.adjoint)
+    throw UserError("generate: --adjoint has derivatives of doubles: leave out --adjoint or --scalar float\n");
   if (options.measure) {
     throw UserError("generate: --measure times a solver in double precision: leave out --measure or --scalar float\n");
   }
@@ -100,6 +102,7 @@ void require_fast_copy(const GenerateOptions& options) {
   if (options.emit.lanes > 0) throw UserError("generate: --reading writes no lanes: leave out --batch or --reading\n");
   if (!options.sensitivities.empty())
     throw UserError("generate: --reading writes no derivatives: leave out --sensitivities or --reading\n");
+  if (options.adjoint) throw UserError("generate: --reading writes no derivatives: leave out --adjoint or --reading\n");
   if (options.casadi) throw UserError("generate: --reading writes no derivatives: leave out --casadi or --reading\n");
   if (options.measure) throw UserError("generate: --measure times the fast solver: leave out --measure or --reading\n");
 }
@@ -168,13 +171,23 @@ std::vector<EmittedFile> casadi_files(const GenerateOptions& options, const Comp
   return emit_casadi(*chosen, initial);
 }
 
+/// Puts files that are not there yet before the manifest.
+void insert_files(std::vector<EmittedFile> more, std::vector<EmittedFile>& files) {
+  std::erase_if(more,
+                [&](const EmittedFile& file) { return std::ranges::count(files, file.path, &EmittedFile::path); });
+  files.insert(files.end() - 1, std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 /// The files of the solver and of what was asked for beside it; the manifest is the last one.
 std::vector<EmittedFile> emitted_files(const GenerateOptions& options, const Compilation& compilation,
                                        const EmitOptions& emitted) {
   std::vector<EmittedFile> files = emit(compilation, emitted);
-  if (!options.casadi) return files;
-  std::vector<EmittedFile> more = casadi_files(options, compilation, *emitted.initial);
-  files.insert(files.end() - 1, std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  if (options.adjoint) {
+    std::vector<EmittedFile> backwards = emit_adjoint(compilation, emitted);
+    if (emitted.runtime_headers) add_runtime_headers(backwards);
+    insert_files(std::move(backwards), files);
+  }
+  if (options.casadi) insert_files(casadi_files(options, compilation, *emitted.initial), files);
   return files;
 }
 
@@ -199,7 +212,8 @@ int run(const GenerateOptions& options) {
   require_start(options, compilation);
   require_explicit(options, compilation);
   EmitOptions emitted = options.emit;
-  emitted.tangents = !options.sensitivities.empty();
+  emitted.tangents = options.adjoint || !options.sensitivities.empty();
+  emitted.adjoint = options.adjoint;
   emitted.c_interface = options.c_interface || options.emit.calibration;
   emitted.casadi = options.casadi;
   emitted.initial =
@@ -266,6 +280,9 @@ void add_generate(NamedCommand application, int& exit_code) {
                   "these parameters tunable (docs/use/sensitivities.md)")
       .one_value_at_a_time()
       .separated_by(',');
+  command.add_flag("--adjoint", options->adjoint,
+                   "add the solver's steps backwards (<model>_adjoint.hpp, .cpp): derivatives of one number by all "
+                   "tunable parameters and inputs, those of --sensitivities among them");
   command.add_flag("--measure", options->measure,
                    "compile the solver and time a step: adds <model>_measured.txt and .json to the cost sheet");
   command.add_option("--budget-us", options->budget,

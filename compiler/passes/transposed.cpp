@@ -1,8 +1,6 @@
-// The transpose of a program that is linear in its direction.
-#include <algorithm>
+#include <map>
 #include <stdexcept>
 
-#include "compiler/casadi/explicit_motion.hpp"
 #include "compiler/passes/passes.hpp"
 
 namespace mbgen {
@@ -11,34 +9,39 @@ namespace {
 /// Weights of the values of a linear program, from its outputs to its inputs.
 class Transposition {
  public:
-  explicit Transposition(const Program& program)
-      : program_(program),
-        builder_(ProgramBuilder::like(program)),
-        moves_(along_direction(program)),
-        weight_(program.nodes.size(), kNoValue) {
-    for (ValueId v = 0; v < program.nodes.size(); ++v)
-      still_.push_back(moves_[v] ? kNoValue : builder_.copy(program, program.nodes[v], still_));
+  Transposition(const Program& program, const std::vector<SlotPlace>& columns)
+      : program_(program), builder_(ProgramBuilder::like(program)), weight_(program.nodes.size(), kNoValue) {
+    for (const SlotPlace& column : columns) columns_.insert({column.slot, kNoValue});
+    for (ValueId v = 0; v < program.nodes.size(); ++v) {
+      const Node& node = program.nodes[v];
+      bool moves = node.op == Op::input && columns_.contains(slot_of(node));
+      for (int k = 0; k < arity(node.op); ++k) moves = moves || moves_[node.operands[k]];
+      moves_.push_back(moves);
+      still_.push_back(moves ? kNoValue : builder_.copy(program, node, still_));
+    }
   }
 
-  Program program(const std::vector<Slot>& rows, int arguments) {
+  Program program(const std::vector<SlotPlace>& rows, const std::vector<SlotPlace>& columns) {
+    std::map<Slot, Slot> weights;
+    for (const SlotPlace& row : rows) weights.insert({row.slot, row.place});
     for (const auto& [slot, value] : program_.outputs) {
-      const auto row = std::ranges::find(rows, slot);
-      if (row == rows.end()) throw std::logic_error("no row of " + text_of(slot));
-      add(value, builder_.input(Array::seed, static_cast<int>(row - rows.begin())));
+      const auto weight = weights.find(slot);
+      if (weight == weights.end()) throw std::logic_error("no row of " + text_of(slot));
+      builder_.set_origin(program_.nodes[value]);
+      add(value, builder_.input(weight->second.group, weight->second.index));
     }
-    std::vector<ValueId> sums(static_cast<std::size_t>(arguments), kNoValue);
     for (ValueId v = static_cast<ValueId>(program_.nodes.size()); v-- > 0;) {
       if (!moves_[v] || weight_[v] == kNoValue) continue;
       const Node& node = program_.nodes[v];
       builder_.set_origin(node);
       if (node.op == Op::input)
-        sums[static_cast<std::size_t>(slot_of(node).index)] = weight_[v];
+        columns_.at(slot_of(node)) = weight_[v];
       else
         pass_on(node, weight_[v]);
     }
-    for (int j = 0; j < arguments; ++j) {
-      const ValueId sum = sums[static_cast<std::size_t>(j)];
-      builder_.output(derivative_of(Array::seed), j, sum == kNoValue ? builder_.constant(0) : sum);
+    for (const SlotPlace& column : columns) {
+      const ValueId sum = columns_.at(column.slot);
+      builder_.output(column.place.group, column.place.index, sum == kNoValue ? builder_.constant(0) : sum);
     }
     return optimise(remove_dead_values(builder_.finish()));
   }
@@ -76,7 +79,10 @@ class Transposition {
         is_linear(moves_[a] && !moves_[b]);
         return add(a, builder_.append(Op::divide, weight, still_[b]));
       case Op::select:
-        is_linear(!moves_[a]);
+        if (moves_[a]) {  // 0 where the argument of a slope without bound stands still: the slope says so by itself
+          is_linear(!moves_[b]);
+          return add(c, weight);
+        }
         add(b, builder_.append(Op::select, still_[a], weight, zero));
         return add(c, builder_.append(Op::select, still_[a], zero, weight));
       default:
@@ -86,15 +92,16 @@ class Transposition {
 
   const Program& program_;
   ProgramBuilder builder_;
-  std::vector<bool> moves_;      ///< values that depend on the direction
-  std::vector<ValueId> still_;   ///< the others, in the transpose
-  std::vector<ValueId> weight_;  ///< of values that move
+  std::vector<bool> moves_;          ///< values that depend on the direction
+  std::vector<ValueId> still_;       ///< the others, in the transpose
+  std::vector<ValueId> weight_;      ///< of values that move
+  std::map<Slot, ValueId> columns_;  ///< sums of the inputs of the direction
 };
 
 }  // namespace
 
-Program transposed(const Program& directions, const std::vector<Slot>& rows, int arguments) {
-  return Transposition(directions).program(rows, arguments);
+Program transposed(const Program& linear, const std::vector<SlotPlace>& rows, const std::vector<SlotPlace>& columns) {
+  return Transposition(linear, columns).program(rows, columns);
 }
 
 }  // namespace mbgen
