@@ -1,7 +1,8 @@
-// Steps of a solver with derivatives beside the plain one's, in turns in one process. Made and run by tangents.sh:
+// Steps of a solver with derivatives, and steps backwards, beside plain ones, in turns in one process. Made and run by
+// tangents.sh:
 //   tangents STATE STEPS TURNS     STATE: a file with all z, then all zd
-// Prints the least processor time of a plain step and of one with derivatives by the first eight parameters, s, and the
-// median of their ratios in one turn.
+// Prints the least processor time of a plain step, of one with derivatives by the first eight parameters and of one
+// backwards, s, and the medians of the ratios of the last two to the first in one turn.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <vector>
 
+#include ADJOINT_HEADER
 #include PLAIN_HEADER
 #include TANGENTS_HEADER
 
@@ -29,6 +31,26 @@ double run(const Tuned& parameters, const Inputs& inputs, State state, int steps
   for (int i = 0; i < steps; ++i)
     if (!step_rk4(parameters, inputs, state, kStep).ok()) return -1;
   return (now() - before) / steps;
+}
+
+/// Seconds per step backwards, from derivatives of the sum of all velocities at the end; -1 when one fails.
+double run_back(const PLAIN::Tuned& parameters, const PLAIN::Inputs& inputs, const PLAIN::State& start, int steps) {
+  std::vector<PLAIN::State> states = {start};
+  for (int i = 0; i < steps; ++i) {
+    states.push_back(states.back());
+    if (!step_rk4(parameters, inputs, states.back(), kStep).ok()) return -1;
+  }
+  ADJOINT::Adjoints cost{};
+  std::fill(std::begin(cost.zd), std::end(cost.zd), 1.0);
+  const double before = now();
+  for (std::size_t k = states.size() - 1; k-- > 0;)
+    if (!ADJOINT::step_rk4_back(parameters, inputs, states[k], kStep, cost).ok()) return -1;
+  return (now() - before) / steps;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
 }
 
 bool read_state(const char* path, PLAIN::State& state) {
@@ -59,14 +81,17 @@ int main(int count, char** words) {
   for (int k = 0; k < std::min(TANGENTS::kParameters, TANGENTS::kDirections); ++k)
     number[k] = TANGENTS::Real::along(number[k].value, k);
   const TANGENTS::Tuned tuned(parameters);
-  std::vector<double> of_plain, of_tangents, ratios;
+  std::vector<double> of_plain, of_tangents, of_back, ratios, ratios_back;
+  const PLAIN::Tuned numbers{PLAIN::Parameters{}};
   for (int turn = 0; turn < std::atoi(words[3]); ++turn) {
-    of_plain.push_back(run(PLAIN::Tuned(PLAIN::Parameters{}), PLAIN::Inputs{}, plain, std::atoi(words[2])));
+    of_plain.push_back(run(numbers, PLAIN::Inputs{}, plain, std::atoi(words[2])));
     of_tangents.push_back(run(tuned, TANGENTS::Inputs{}, state, std::atoi(words[2])));
-    if (of_plain.back() < 0 || of_tangents.back() < 0) return 1;
+    of_back.push_back(run_back(numbers, PLAIN::Inputs{}, plain, std::atoi(words[2])));
+    if (of_plain.back() < 0 || of_tangents.back() < 0 || of_back.back() < 0) return 1;
     ratios.push_back(of_tangents.back() / of_plain.back());
+    ratios_back.push_back(of_back.back() / of_plain.back());
   }
-  std::sort(ratios.begin(), ratios.end());
-  std::printf("%.9g %.9g %.9g\n", *std::min_element(of_plain.begin(), of_plain.end()),
-              *std::min_element(of_tangents.begin(), of_tangents.end()), ratios[ratios.size() / 2]);
+  const auto least = [](const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); };
+  std::printf("%.9g %.9g %.9g %.9g %.9g\n", least(of_plain), least(of_tangents), least(of_back), median(ratios),
+              median(ratios_back));
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runge-Kutta steps with derivatives by eight parameters beside plain steps, in turns in one process:
+# Runge-Kutta steps with derivatives by eight parameters, and steps backwards, beside plain steps, in turns in one process:
 #   bench/tangents.sh [-b MBGEN] [-n STEPS] [-t TURNS] [MODEL.json PARAMETER,...]
 # Default: build/release/mbgen, else build/mbgen; 300 steps in 40 turns; models/coach.json by its bars, air springs, drag
 # and driver.
@@ -13,13 +13,16 @@ turns=40
 [ $# -gt 0 ] || set -- "$root/models/coach.json" \
   air_pressure_front,air_pressure_rear,bar_front,bar_rear,drag_area,drive_gain,speed,steer_amplitude
 
-"$binary" generate "$1" --sensitivities "$2" --name plain --out "$scratch/made" >/dev/null
+"$binary" generate "$1" --sensitivities "$2" --adjoint --name plain --out "$scratch/made" >/dev/null
 write_start "$1"
 cmake -S "$scratch/made" -B "$scratch/made/build" >/dev/null
 cmake --build "$scratch/made/build" >/dev/null
 c++ -std=c++17 -O2 -march=native -Wno-psabi -I "$scratch/made" -DPLAIN=plain -DPLAIN_HEADER='"plain.hpp"' \
-  -DTANGENTS=plain_tangents -DTANGENTS_HEADER='"plain_tangents.hpp"' "$here/tangents.cpp" \
+  -DADJOINT=plain_adjoint -DADJOINT_HEADER='"plain_adjoint.hpp"' -DTANGENTS=plain_tangents -DTANGENTS_HEADER='"plain_tangents.hpp"' "$here/tangents.cpp" \
   "$scratch/made/build/libplain.a" -o "$scratch/tangents"
-printf '%-12s %14s %22s %8s %18s\n' model 'plain step, us' 'with derivatives, us' ratio 'median of ratios'
+printf '%-12s %14s %22s %8s %18s %10s %8s %18s\n' model 'plain step, us' 'with derivatives, us' ratio 'median of ratios' \
+  'back, us' ratio 'median of ratios'
 "$scratch/tangents" "$scratch/state" "$steps" "$turns" |
-  awk -v name="$(basename "$1" .json)" '{ printf "%-12s %14.2f %22.2f %8.2f %18.2f\n", name, 1e6 * $1, 1e6 * $2, $2 / $1, $3 }'
+  awk -v name="$(basename "$1" .json)" '{
+    printf "%-12s %14.2f %22.2f %8.2f %18.2f %10.2f %8.2f %18.2f\n", name, 1e6 * $1, 1e6 * $2, $2 / $1, $4, 1e6 * $3, $3 / $1, $5
+  }'

@@ -27,7 +27,7 @@ struct AdjointRow {
   std::vector<Array> more = {};  ///< members of the result beside kMembers
 };
 
-/// Derivatives by these are members of every result but that of the derived constants.
+/// Derivatives by these are members of every result; derived constants have them by parameters alone.
 constexpr Array kMembers[] = {Array::z, Array::zd, Array::x, Array::in, Array::par, Array::derived};
 
 int size_in(const EmitContext& context, Array array) {
@@ -175,11 +175,28 @@ std::string source_text(const EmitContext& context, const AdjointPrograms& progr
 std::vector<EmittedFile> emit_adjoint(const WrittenPrograms& written, const Model& model, const Topology& topology,
                                       const Analysis& analysis, const EmitOptions& options) {
   const EmitContext context(written, model, topology, analysis, options);
-  const FrameValues header = {{"output_size", size_text(context.layout.outputs)},
-                              {"derived_size", size_text(derived_constant_count(context.programs))},
-                              {"starts", has_start_with_derivatives(model, topology, analysis)}};
-  return {{context.names.solver + "_adjoint.hpp", fill_template(context, "adjoint.hpp.in", header)},
-          {context.names.solver + "_adjoint.cpp", source_text(context, adjoint_programs(written))}};
+  const SolverNames& names = context.names;
+  const std::string outputs = size_text(context.layout.outputs);
+  const bool starts = has_start_with_derivatives(model, topology, analysis);
+  std::vector<EmittedFile> files = {
+      {names.solver + "_adjoint.hpp",
+       fill_template(context, "adjoint.hpp.in",
+                     {{"output_size", outputs},
+                      {"derived_size", size_text(derived_constant_count(context.programs))},
+                      {"starts", starts}})},
+      {names.solver + "_adjoint.cpp", source_text(context, adjoint_programs(written))}};
+  if (!options.c_interface) return files;
+  const FrameValues header = {
+      {"banner", c_banner_text(model)}, {"title", c_comment_text(model.name)}, {"guard", guard_of(names.solver)}};
+  const FrameValues source = {{"parameters", name_rows(names.parameters)},
+                              {"inputs", name_rows(names.inputs)},
+                              {"outputs", name_rows(names_of(output_members(context)))},
+                              {"output_size", outputs}};
+  files.push_back({names.solver + "_adjoint_c.h", fill_template(context, "adjoint_c.h.in", header)});
+  files.push_back({names.solver + "_adjoint_c.cpp", fill_template(context, "adjoint_c.cpp.in", source)});
+  files.push_back(
+      {names.solver + "_adjoint.py", fill_template(context, "adjoint.py.in", {{"banner", banner_text(model, "#")}})});
+  return files;
 }
 
 }  // namespace mbgen

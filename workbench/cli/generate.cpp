@@ -118,10 +118,12 @@ void require_range(const Compilation& compilation, Scalar scalar) {
 
 /// Fails: UserError for a C interface of derivatives whose start has none.
 void require_start(const GenerateOptions& options, const Compilation& compilation) {
-  if (options.sensitivities.empty() || !(options.c_interface || options.emit.calibration)) return;
+  const bool has_derivatives = options.adjoint || !options.sensitivities.empty();
+  if (!has_derivatives || !(options.c_interface || options.emit.calibration)) return;
   if (has_start_with_derivatives(compilation.model, compilation.topology, compilation.analysis)) return;
   throw UserError(
-      "generate: --c-api with --sensitivities needs a start with derivatives: \"initial\" without a static "
+      "generate: --c-api with --sensitivities or --adjoint needs a start with derivatives: \"initial\" without a "
+      "static "
       "equilibrium, "
       "that gives or locks as many values as the loops leave free\n"
       "  hint: leave out --c-api: in C++ assemble_holding holds what the caller wants\n");

@@ -110,7 +110,7 @@ bool is_in_first_charts([[maybe_unused]] const Dynamics& dynamics,
   }
 }
 
-/// Whether the projection of a step is that of the frozen partition, or too small to tell from it.
+/// Whether a step is projected by the frozen partition, or by so little that the way does not count.
 template <class System>
 bool is_projected_plainly(const typename System::State& open, const typename System::State& closed,
                           const double* pivot) noexcept {
@@ -299,7 +299,34 @@ void constants_back(const typename System::Parameters& parameters, typename Syst
   }
 }
 
-/// The same and the derivatives of the start by inputs and parameters. Fails: as the start.
+/// The start of the model at these parameters and inputs. Fails: as in the solver with derivatives.
+template <class System>
+Status start_of(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                typename System::State& state) noexcept {
+  constexpr int kNone = adjoint_detail::Seeded<System>::kNumbers;
+  adjoint_detail::Seeded<System> at(parameters, inputs, System::initial_state(), kNone);
+  const typename System::Directions::Tuned tuned(at.parameters);
+  const Status started = System::Directions::start(tuned, at.inputs, at.state);
+  if (!started.ok()) return started;
+  state = System::initial_state();
+  for (int i = 0; i < System::kCoordinates; ++i) {
+    state.z[i] = at.state.z[i].value;
+    state.zd[i] = at.state.zd[i].value;
+  }
+  for (int i = 0; i < System::kAuxiliaryStates; ++i) state.x[i] = at.state.x[i].value;
+  return started;
+}
+
+/// From the derivatives by an assembled state to those by the state before. Fails: as assemble.
+template <class System>
+Status assemble_back(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                     const typename System::State& before, typename System::Adjoints& cost) noexcept {
+  return adjoint_detail::back_by_directions<System>(
+      parameters, inputs, before, cost,
+      [](auto& tuned, auto& now, auto& state) { return System::Directions::assemble(tuned, now, state); });
+}
+
+/// constants_back and the derivatives of the start by inputs and parameters. Fails: as the start.
 template <class System>
 Status start_back(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                   typename System::Adjoints& cost) noexcept {

@@ -94,11 +94,11 @@ void add_state(const typename System::Directions::State& state, const typename S
   for (int i = 0; i < System::kAuxiliaryStates; ++i) sums += weights.x[i] * state.x[i].tangent;
 }
 
-/// A step back by directions: the solver with derivatives takes it for every number of the state, the inputs and the
-/// parameters. Exact for every step, whichever way it was taken.
-template <class System>
-Status step_by_directions(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
-                          const typename System::State& before, double h, typename System::Adjoints& cost) noexcept {
+/// From the derivatives by a state that move(tuned, inputs, state) makes of `before` to those by it.
+template <class System, class Move>
+Status back_by_directions(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                          const typename System::State& before, typename System::Adjoints& cost,
+                          const Move& move) noexcept {
   typename System::Adjoints back = cost;
   for (double& value : back.z) value = 0;
   for (double& value : back.zd) value = 0;
@@ -106,12 +106,21 @@ Status step_by_directions(const typename System::Parameters& parameters, const t
   const Status status =
       add_by_directions<System>(parameters, inputs, before, 0, back, [&](Seeded<System>& seeded, auto& sums) {
         const typename System::Directions::Tuned tuned(seeded.parameters);
-        const Status stepped = System::Directions::step_rk4(tuned, seeded.inputs, seeded.state, h);
-        if (stepped.ok()) add_state<System>(seeded.state, cost, sums);
-        return stepped;
+        const Status moved = move(tuned, seeded.inputs, seeded.state);
+        if (moved.ok()) add_state<System>(seeded.state, cost, sums);
+        return moved;
       });
   if (status.ok()) cost = back;
   return status;
+}
+
+/// A step back by directions: exact for every step, whichever way it was taken.
+template <class System>
+Status step_by_directions(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                          const typename System::State& before, double h, typename System::Adjoints& cost) noexcept {
+  return back_by_directions<System>(parameters, inputs, before, cost, [h](auto& tuned, auto& now, auto& state) {
+    return System::Directions::step_rk4(tuned, now, state, h);
+  });
 }
 
 /// Outputs back by directions.
