@@ -138,7 +138,7 @@ std::string programs_text(const EmitContext& context, const AdjointPrograms& pro
 
 std::string member_table(const std::string& type, const std::string& structure, const std::string& name,
                          const std::vector<std::string>& members, const char* indent) {
-  return array_text(std::string(indent) + "static constexpr " + type + " " + structure + "::*" + name,
+  return array_text(std::string(indent) + "[[maybe_unused]] static constexpr " + type + " " + structure + "::*" + name,
                     member_places(structure, members), "nullptr");
 }
 
@@ -158,10 +158,9 @@ std::string source_text(const EmitContext& context, const AdjointPrograms& progr
        {"derived_count", derived},
        {"ball_count", layout.balls},
        {"starts", has_start_with_derivatives(context.model, context.topology, context.analysis)},
-       {"is_plain", layout.sampled == 0},
        {"takes_rates", takes(outputs, Array::zdd) || takes_multipliers(outputs)},
-       {"driven_table", array_text("  static constexpr unsigned char kDriven", driven, "0")},
-       {"input_derivatives", array_text("  static constexpr int kInputDerivative", derivatives, "-1")},
+       {"driven_table", array_text("  [[maybe_unused]] static constexpr unsigned char kDriven", driven, "0")},
+       {"input_derivatives", array_text("  [[maybe_unused]] static constexpr int kInputDerivative", derivatives, "-1")},
        {"parameter_table", member_table("double", "Parameters", "kParameterMember", names.parameters, of_system)},
        {"input_table", member_table("double", "Inputs", "kInputMember", names.inputs, of_system)},
        {"direction_parameter_table",

@@ -10,7 +10,6 @@
 //   kDriven         1 for driven coordinates
 //   kAdvances       whether inputs go on in a step; then advance_inputs, kInputDerivative
 //   dynamics(parameters, inputs, start)                           Dynamics of a step
-//   kIsPlain        false where steps also set sampled values: these go back by directions
 //   kTakesMultipliers, kTakesRates                                of the outputs
 //   accelerations(parameters, inputs, state, weights, result)     weights of zdd and xd
 //   velocities, positions                                         of the closure at a closed state, weights of zd, dz
@@ -110,6 +109,20 @@ bool is_in_first_charts([[maybe_unused]] const Dynamics& dynamics,
   }
 }
 
+/// Whether a step begins at an instant of sampled values, or cannot tell.
+template <class Dynamics>
+bool sets_values([[maybe_unused]] const Dynamics& dynamics, [[maybe_unused]] const typename Dynamics::State& state,
+                 [[maybe_unused]] double h) noexcept {
+  if constexpr (integrator_detail::kHasSamples<Dynamics>) {
+    typename Dynamics::State sampled;
+    integrator_detail::copy_state(state, sampled);
+    bool any = false;
+    return !dynamics.sample(sampled, h, any).ok() || any;
+  } else {
+    return false;
+  }
+}
+
 /// Whether a step is projected by the frozen partition, or by so little that the way does not count.
 template <class System>
 bool is_projected_plainly(const typename System::State& open, const typename System::State& closed,
@@ -166,14 +179,14 @@ void weigh(double of_end, const double (&end)[N], double of_next, const double (
   for (std::size_t i = 0; i < N; ++i) weights[i] = of_end * end[i] + of_next * next[i];
 }
 
-/// One plain step of Runge-Kutta back. Result: false where it was not plain; `cost` is then as it was.
+/// One step of Runge-Kutta back where it was taken plainly. is_plain: whether it was; else `cost` is as it was.
 template <class System>
 Status plain_step_back(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& before, double h, typename System::Adjoints& cost,
                        bool& is_plain) noexcept {
   using State = typename System::State;
   const auto dynamics = System::dynamics(parameters, inputs, before.t);
-  is_plain = is_in_first_charts<System>(dynamics, before);
+  is_plain = is_in_first_charts<System>(dynamics, before) && !sets_values(dynamics, before, h);
   if (!is_plain) return {};
   KeptStages<System> kept;
   State after;
@@ -269,13 +282,11 @@ bool plain_outputs_back(const typename System::Parameters& parameters, const typ
 template <class System>
 Status step_back(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                  const typename System::State& before, double h, typename System::Adjoints& cost) noexcept {
-  if constexpr (System::kIsPlain) {
-    const Status valid = integrator_detail::check_step(h);
-    if (!valid.ok()) return valid;
-    bool is_plain = false;
-    const Status status = adjoint_detail::plain_step_back<System>(parameters, inputs, before, h, cost, is_plain);
-    if (is_plain) return status;
-  }
+  const Status valid = integrator_detail::check_step(h);
+  if (!valid.ok()) return valid;
+  bool is_plain = false;
+  const Status status = adjoint_detail::plain_step_back<System>(parameters, inputs, before, h, cost, is_plain);
+  if (is_plain) return status;
   return adjoint_detail::step_by_directions<System>(parameters, inputs, before, h, cost);
 }
 
