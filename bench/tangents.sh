@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runge-Kutta steps with derivatives by eight parameters beside plain steps, in turns in one process:
+# Runge-Kutta steps with derivatives by eight parameters beside plain steps, in turns in one process, five times in
+# copies of the program: the least times, and the median ratios of a copy:
 #   bench/tangents.sh [-b MBGEN] [-n STEPS] [-t TURNS] [MODEL.json PARAMETER,...]
 # Default: build/release/mbgen, else build/mbgen; 300 steps in 40 turns; models/coach.json by its bars, air springs, drag
 # and driver.
@@ -20,6 +21,12 @@ cmake --build "$scratch/made/build" >/dev/null
 c++ -std=c++17 -O2 -march=native -Wno-psabi -I "$scratch/made" -DPLAIN=plain -DPLAIN_HEADER='"plain.hpp"' \
   -DTANGENTS=plain_tangents -DTANGENTS_HEADER='"plain_tangents.hpp"' "$here/tangents.cpp" \
   "$scratch/made/build/libplain.a" -o "$scratch/tangents"
-printf '%-12s %14s %22s %8s %18s\n' model 'plain step, us' 'with derivatives, us' ratio 'median of ratios'
-"$scratch/tangents" "$scratch/state" "$steps" "$turns" |
-  awk -v name="$(basename "$1" .json)" '{ printf "%-12s %14.2f %22.2f %8.2f %18.2f\n", name, 1e6 * $1, 1e6 * $2, $2 / $1, $3 }'
+# Pages of a program lie elsewhere in the second cache with each copy, which moves a step by up to a fifth.
+printf '%-12s %14s %22s %8s %18s\n' model 'plain step, us' 'with derivatives, us' ratio 'ratios of copies'
+for copy in 1 2 3 4 5; do
+  cp "$scratch/tangents" "$scratch/copy_$copy"
+  "$scratch/copy_$copy" "$scratch/state" "$steps" "$turns"
+done | sort -g -k 3 | awk -v name="$(basename "$1" .json)" '
+  NR == 1 { plain = $1; derived = $2; least = $3 }
+  { if ($1 < plain) plain = $1; if ($2 < derived) derived = $2; most = $3 }
+  END { printf "%-12s %14.2f %22.2f %8.2f %18s\n", name, 1e6 * plain, 1e6 * derived, derived / plain, sprintf("%.2f to %.2f", least, most) }'
