@@ -11,6 +11,10 @@
 namespace mbgen {
 namespace {
 
+/// Costs of an operation on slopes over one on eight derivatives, which needs more loads and stores; in lanes, one is
+/// done for four tyres.
+constexpr double kCostOfSlopes = 0.7, kCostOfSlopesInLanes = 0.2;
+
 constexpr const char* kSlopes = "AccelerationSlopes";
 
 /// Arrays whose numbers have derivatives, and are members of structs with both.
@@ -128,10 +132,10 @@ std::string accelerations_apart_text(const EmitContext& context, const ShapedPro
       return slot.group.array != Array::law_argument ||
              law.arguments[static_cast<std::size_t>(slot.index)].numbers.empty();
     };
-    const DerivativesApart apart = take_derivatives_apart(law.program, moves_in_law, is_wanted);
+    const DerivativesApart apart = take_derivatives_apart(law.program, moves_in_law, is_wanted, kCostOfSlopesInLanes);
     laws += law_with_slopes_text(context, k, apart, whole.laws[k], along_of(whole.laws[k]), whole.constants) + "\n";
   }
-  const DerivativesApart apart = take_derivatives_apart(*shaped.program, moves, is_wanted);
+  const DerivativesApart apart = take_derivatives_apart(*shaped.program, moves, is_wanted, kCostOfSlopes);
   const ProgramShape common = common_shape(whole, apart.slopes);
   const ProgramShape values = values_shape(common, whole.constants), along = along_shape(whole, common);
   const FrameRows members = mapped(whole.members, [](const ArrayMember& member) {

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/passes/derivative_sums.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/kinds.hpp"
-#include "compiler/program/rewrite.hpp"
 
 namespace mbgen {
 namespace {
@@ -38,13 +38,13 @@ class DerivativesOf {
     }
   }
 
-  DerivativesApart finish(const std::function<bool(const Slot&)>& is_wanted) {
+  DerivativesApart finish(const std::function<bool(const Slot&)>& is_wanted, double slope_cost) {
     for (const auto& [slot, value] : program_.outputs) {
       values_.output(slot.group, slot.index, value_[value]);
       if (is_wanted(slot) && derivative_[value][0] != kNoValue)
         along_.output(derivative_of(slot.group), slot.index, derivative_[value][0]);
     }
-    Program along = without_still(optimise(remove_dead_values(along_.finish())));
+    Program along = shortened(optimise(remove_dead_values(along_.finish())), slope_cost);
     for (const auto& [number, slope] : slopes_) values_.output(Array::slope, slope, number);
     DerivativesApart apart{values_.finish(), std::move(along), 0};
     number_slopes(apart);
@@ -108,8 +108,17 @@ class DerivativesOf {
     }
   }
 
-  static bool may_be_unbounded(Op op) {
-    return op == Op::sqrt || op == Op::asin || op == Op::acos || op == Op::log || op == Op::pow;
+  bool may_be_unbounded(const Node& node) const {
+    if (node.op == Op::sqrt) return !is_positive(node.operands[0]);
+    return node.op == Op::asin || node.op == Op::acos || node.op == Op::log || node.op == Op::pow;
+  }
+
+  /// Whether a value of the program is above 0 by its form: a sum of squares and of a positive number.
+  bool is_positive(ValueId v) const {
+    const Node& node = program_.nodes[v];
+    if (node.op == Op::constant) return node.constant > 0;
+    const bool squares = node.op == Op::multiply_add && node.operands[0] == node.operands[1];
+    return squares && is_positive(node.operands[2]);
   }
 
   /// Slopes of x^y by x and by y.
@@ -130,17 +139,18 @@ class DerivativesOf {
   // --- values of `along` ---
 
   /// A lane of a value of `values` in `along`: a constant, an input, or else a slope.
-  ValueId taken(ValueId value, std::size_t lane) {
+  ValueId taken(ValueId value, std::size_t lane) { return taken(along_, value, lane); }
+  ValueId taken(ProgramBuilder& along, ValueId value, std::size_t lane) {
     const Node node = values_.node(value);
-    if (node.op == Op::constant) return along_.constant(node.constant);
-    if (node.op == Op::pack) return taken(node.operands[lane], 0);
+    if (node.op == Op::constant) return along.constant(node.constant);
+    if (node.op == Op::pack) return taken(along, node.operands[lane], 0);
     if (node.op == Op::input) {
       const Slot& slot = program_.inputs[static_cast<std::size_t>(node.input)];
-      return along_.input(slot.group, slot.index);
+      return along.input(slot.group, slot.index);
     }
     if (width(value) == 2) value = values_.append(lane == 0 ? Op::first_lane : Op::second_lane, value);
     const auto slope = slopes_.try_emplace(value, static_cast<int>(slopes_.size())).first;
-    return along_.input(Array::slope, slope->second);
+    return along.input(Array::slope, slope->second);
   }
 
   int width(ValueId value) {
@@ -259,21 +269,19 @@ class DerivativesOf {
         return added(by_base, times_where_moved(slopes[1], lane, d(1)));
       }
       default:
-        return may_be_unbounded(node.op) ? times_where_moved(slopes[0], lane, d(0)) : times(slopes[0], lane, d(0));
+        return may_be_unbounded(node) ? times_where_moved(slopes[0], lane, d(0)) : times(slopes[0], lane, d(0));
     }
   }
 
-  /// The program `along` whose operations on slopes alone are left to `values`.
-  Program without_still(const Program& along) {
+  /// The program `along` in its shortest sums, with its operations on slopes alone left to `values`.
+  Program shortened(const Program& along, double slope_cost) {
     std::vector<ValueId> of_slope(slopes_.size()), still(along.nodes.size(), kNoValue);
     for (const auto& [number, slope] : slopes_) of_slope[static_cast<std::size_t>(slope)] = number;
-    return rewritten(along, [&](ProgramBuilder& builder, ValueId v, std::span<const ValueId>) {
-      const Node& node = along.nodes[v];
-      still[v] = still_value(along, node, still, of_slope);
-      if (still[v] == kNoValue || !is_operation(node)) return kNoValue;
-      const auto slope = slopes_.try_emplace(still[v], static_cast<int>(slopes_.size())).first;
-      return builder.input(Array::slope, slope->second);
-    });
+    for (ValueId v = 0; v < along.nodes.size(); ++v) still[v] = still_value(along, along.nodes[v], still, of_slope);
+    SlopeArithmetic slopes(values_);
+    DerivativeSums sums(along, still, slopes);
+    sums.shorten(slope_cost);
+    return sums.program([&](ProgramBuilder& builder, ValueId slope) { return taken(builder, slope, 0); });
   }
 
   /// The value in `values` of a node without derivatives, kNoValue for others.
@@ -322,15 +330,15 @@ class DerivativesOf {
 }  // namespace
 
 DerivativesApart take_derivatives_apart(const Program& program, const std::function<bool(const Slot&)>& moves,
-                                        const std::function<bool(const Slot&)>& is_wanted) {
-  DerivativesApart apart = DerivativesOf(program, moves).finish(is_wanted);
+                                        const std::function<bool(const Slot&)>& is_wanted, double slope_cost) {
+  DerivativesApart apart = DerivativesOf(program, moves).finish(is_wanted, slope_cost);
   apart.along = contract(apart.along);
   return apart;
 }
 
 Program adjoint(const Program& program, const std::function<bool(const Slot&)>& moves,
                 const std::function<bool(const Slot&)>& is_weighted, const std::function<bool(const Slot&)>& is_kept) {
-  const DerivativesApart apart = DerivativesOf(program, moves).finish(is_weighted);
+  const DerivativesApart apart = DerivativesOf(program, moves).finish(is_weighted, 1);
   std::vector<SlotPlace> rows, columns;
   for (const OutputValue& output : apart.along.outputs) rows.push_back({output.slot, output.slot});
   for (const Slot& slot : apart.along.inputs)

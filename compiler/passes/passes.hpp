@@ -77,10 +77,11 @@ struct DerivativesApart {
 /// Takes the derivatives of a program apart. Every operation of `along` is linear in derivatives, which have the groups
 /// derivative_of(group) of their values. moves: whether an input has a derivative. is_wanted: whether the derivative of
 /// an output is; one that is 0 is no output. Pairs remain in `values`; `along` has numbers, contracted. At kinks the
-/// side counts that the value takes; a slope without bound counts where its argument moves.
+/// side counts that the value takes; a slope without bound counts where its argument moves. slope_cost: of an operation
+/// on slopes, over one on derivatives; derivatives on the way are passed over where that is cheaper.
 ///   %2 = mul %0 %1, out zdd[0]   =>   the same, and   %4 = mul %1 d_z[1]; %5 = muladd %0 d_z[0] %4, out d_zdd[0]
 DerivativesApart take_derivatives_apart(const Program& program, const std::function<bool(const Slot&)>& moves,
-                                        const std::function<bool(const Slot&)>& is_wanted);
+                                        const std::function<bool(const Slot&)>& is_wanted, double slope_cost = 1);
 
 /// A slot, and the one that takes its place.
 struct SlotPlace {

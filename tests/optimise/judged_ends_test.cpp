@@ -10,7 +10,8 @@ class OptimiseEnds : public Optimise {
   void SetUp() override {
     Optimise::SetUp();
     if (IsSkipped()) return;
-    write("ends.json", R"({ "mbgen": 1, "name": "ends", "include": ["forms.json"], "outputs": {
+    write("ends.json", R"({ "mbgen": 1, "name": "ends", "include": ["forms.json"], "solver": { "duration": 0.01 },
+      "outputs": {
       "p": { "unit": "m", "expression": "p" }, "saddle": { "unit": "m^2", "expression": "p*q" },
       "hidden": { "unit": "1", "expression": "1e6*p + (q - 1)^2" },
       "edge": { "unit": "m^2", "expression": "max((p - 1)^2 + (q - 2)^2, (p - 3)^2 + q*q + 1) + 0" },
@@ -57,7 +58,8 @@ TEST_F(OptimiseEnds, AStationaryStartThatIsNoLeastIsLeft) {
 
 // Two bowls of equal height on q = p - 1.25, where their sum of gradients falls to (p - 1) = (3.25 - p): the least of
 // the higher one is 2 * 1.125^2 at p = 2.125. With p <= 2 it is
-// 1 + 1.25^2. Derivatives are differences over 1e-4 of the variables, which tell no more.
+// 1 + 1.25^2, and falls by 1/2 per m. Derivatives are differences over 1e-4 of the variables, which tell no more, and
+// multipliers from a few thousandths beside.
 TEST_F(OptimiseEnds, ACornerWhereGradientsCancelIsAnEnd) {
   const std::string words = "--free p=-5:0.4:5,q=-5:0.6:5 --goal min:start:edge";
   const Json corner = found(words);
@@ -68,9 +70,31 @@ TEST_F(OptimiseEnds, ACornerWhereGradientsCancelIsAnEnd) {
   const Json bounded = found("--free p=-5:0.4:2,q=-5:0.6:5 --goal min:start:edge:1");
   EXPECT_EQ(bounded["status"], "ok") << bounded;
   EXPECT_NEAR(bounded["goals"][0]["value"].get<double>(), 2.5625, 1e-4);
-  EXPECT_TRUE(entry(bounded, "variables", "p")["goal_per_unit"].is_null());  // differences do not tell it
+  EXPECT_NEAR(entry(bounded, "variables", "p")["goal_per_unit"].get<double>(), -0.5, 5e-3);
   // Too few evaluations to come there.
   EXPECT_NE(found(words + " --evaluations 3")["status"], "ok");
+}
+
+// The same corner under p <= 2, and on the circle p^2 + q^2 = 4: there p (2 p - 2.5) = 4 - 1.25^2, and the sum of the
+// components of both conditions gives the multiplier 3 / (p + q) - 1.
+TEST_F(OptimiseEnds, ACornerUnderAConstraintIsAnEndAndHasMultipliers) {
+  const double p = (2.5 + std::sqrt(25.75)) / 4, q = p - 1.25, multiplier = 3 / (p + q) - 1;
+  const auto expect_end = [&](const std::string& goal, const std::string& limited, const std::string& limit,
+                              double value, double falls, double tolerance, double part) {
+    const Json end =
+        found("--free p=-5:0.4:5,q=-5:0.6:5 --goal 'min:" + goal + ":1' --constraint '" + limited + limit + "'");
+    EXPECT_EQ(end["status"], "ok") << end;
+    EXPECT_NEAR(end["goals"][0]["value"].get<double>(), value, tolerance) << limited << limit;
+    EXPECT_NEAR(end["constraints"][0]["goal_per_unit"].get<double>(), -falls, part * falls) << limited << limit;
+  };
+  const double on_circle = std::pow(p - 1, 2) + std::pow(q - 2, 2);
+  for (const char* limit : {"<=4", "==4"}) {
+    expect_end("start:edge", "start:near", limit, on_circle, multiplier, 1e-4, 1e-2);
+    // Of motions derivatives are exact.
+    expect_end("mean(edge)", "mean(near)", limit, on_circle, multiplier, 1e-6, 1e-4);
+  }
+  expect_end("start:edge", "start:p", "<=2", 2.5625, 0.5, 1e-4, 1e-2);
+  expect_end("mean(edge)", "mean(p)", "<=2", 2.5625, 0.5, 1e-6, 1e-4);
 }
 
 TEST_F(OptimiseEnds, EqualitiesMayRepeatEachOther) {

@@ -30,8 +30,8 @@ Numbers outputs_at(const Program& program, const Numbers& inputs) {
 constexpr auto kAll = [](const Slot&) { return true; };
 
 /// Outputs and their derivatives; derivatives that `along` does not give are 0.
-Numbers apart_at(const Program& program, const Numbers& at, const Numbers& rates) {
-  const DerivativesApart apart = take_derivatives_apart(program, kAll, kAll);
+Numbers apart_at(const Program& program, const Numbers& at, const Numbers& rates, double slope_cost = 1) {
+  const DerivativesApart apart = take_derivatives_apart(program, kAll, kAll, slope_cost);
   Numbers values = outputs_at(apart.values, at), given = at;
   for (const auto& [slot, value] : values)
     if (slot.group == SlotGroup(Array::slope)) given[slot] = value;
@@ -52,11 +52,14 @@ Numbers together_at(const Program& program, const Numbers& at, const Numbers& ra
 }
 
 void expect_same(const Program& program, const Numbers& at, const Numbers& rates, const std::string& what) {
-  const Numbers apart = apart_at(program, at, rates);
-  for (const auto& [slot, expected] : together_at(unfolded(program), at, rates)) {
-    const auto found = apart.find(slot);
-    const double actual = found == apart.end() ? 0 : found->second;
-    EXPECT_NEAR(actual, expected, 1e-12 * (1 + std::abs(expected))) << what << ", " << text_of(slot);
+  const Numbers together = together_at(unfolded(program), at, rates);
+  for (const double slope_cost : {0.0, 0.4, 1.0}) {
+    const Numbers apart = apart_at(program, at, rates, slope_cost);
+    for (const auto& [slot, expected] : together) {
+      const auto found = apart.find(slot);
+      const double actual = found == apart.end() ? 0 : found->second;
+      EXPECT_NEAR(actual, expected, 1e-12 * (1 + std::abs(expected))) << what << ", " << text_of(slot);
+    }
   }
 }
 
@@ -79,11 +82,35 @@ TEST(DerivativesApart, TextOfAProduct) {
             "%1 = input d_x[1]\n"
             "%2 = input slope[0]\n"
             "%3 = mul %0 %2\n"
-            "%4 = input slope[1]\n"
-            "%5 = input x[1]\n"
-            "%6 = mul %1 %4\n"
-            "%7 = muladd %3 %5 %6\n"
+            "%4 = input x[1]\n"
+            "%5 = mul %3 %4\n"
+            "%6 = input slope[1]\n"
+            "%7 = muladd %1 %6 %5\n"
             "out d_y[0] = %7\n");
+}
+
+/// Operations of `along`.
+OperationCount count_along(const Program& program, double slope_cost) {
+  return count_operations(take_derivatives_apart(program, kAll, kAll, slope_cost).along);
+}
+
+TEST(DerivativesApart, PassOverDerivativesWhereThatIsCheaper) {
+  const Program chain = program_of([](auto x, auto y) { return sin(cos(sin(x))) + 0.0 * y; });
+  EXPECT_EQ(count_along(chain, 0.2).multiply, 1);
+  EXPECT_EQ(count_along(chain, 2).multiply, 3);
+  // d(x^2) = 2 x dx, not x dx + x dx
+  const Program square = program_of([](auto x, auto y) { return x * x * y; });
+  EXPECT_EQ(count_along(square, 0.2).multiply, 2);
+  EXPECT_EQ(count_along(square, 0.2).add, 1);
+}
+
+/// The slopes of a table are chosen before the product.
+TEST(DerivativesApart, ChoiceBetweenMultiplesOfOneDerivativeIsOneProduct) {
+  const Program table =
+      program_of([](auto x, auto y) { return select(y, 3 * x, select(y - 1.0, x / 7, select(y - 2.0, 2.0, 5 - x))); });
+  const OperationCount count = count_along(table, 1);
+  EXPECT_EQ(count.multiply, 1);
+  EXPECT_EQ(count.other, 0);
 }
 
 TEST(DerivativesApart, OfEachOperation) {
@@ -97,6 +124,7 @@ TEST(DerivativesApart, OfEachOperation) {
       {"powers", [](auto x, auto y) { return pow(x, y) + pow(x, 2.5) + pow(3.0, y); }},
       {"kinks", [](auto x, auto y) { return abs(x - y) + min(x, y) * max(x, 0.5) + select(x - 1.0, x * x, y * y); }},
       {"steps", [](auto x, auto y) { return floor(3 * x) * y; }},
+      {"tables", [](auto x, auto y) { return select(y - 0.5, 3 * x, select(x - 0.5, 1.0, x / 7)) * sin(cos(x)); }},
       {"constant branches", [](auto x, auto y) { return max(0.0, x - 1) + select(y - 1.0, 0.0, y) + min(2.0, x); }}};
   for (const auto& [name, function] : cases)
     for (const auto& [x, y] : {std::pair{0.3, 0.7}, {0.9, 0.2}}) {
@@ -128,6 +156,16 @@ TEST(DerivativesApart, OfPairs) {
   builder.output(Array::y, 1, builder.append(Op::second_lane, builder.append(Op::multiply, less, less)));
   expect_same(builder.finish(), {{{Array::x, 0}, 0.3}, {{Array::x, 1}, 0.8}},
               {{{Array::x, 0}, 0.4}, {{Array::x, 1}, -1.3}}, "pairs");
+}
+
+/// A sum of squares and of a positive number has a root with bounded slopes: no choice guards it.
+TEST(DerivativesApart, RootsOfPositiveSumsHaveBounds) {
+  const Program bounded = contract(program_of([](auto x, auto y) { return sqrt(x * x + (y * y + 1e-30)); }));
+  const Program unbounded = contract(program_of([](auto x, auto y) { return sqrt(x * x + y * y); }));
+  EXPECT_EQ(count_along(bounded, 1).other, 0);
+  EXPECT_GT(count_along(unbounded, 1).other, 0);
+  const Numbers at{{{Array::x, 0}, 0.0}, {{Array::x, 1}, 0.0}}, rates{{{Array::x, 0}, 1.0}, {{Array::x, 1}, -1.0}};
+  EXPECT_EQ(apart_at(bounded, at, rates).at({derivative_of(Array::y), 0}), 0);
 }
 
 /// Where a slope has no bound, what rests gets no derivative, and what moves gets infinity.

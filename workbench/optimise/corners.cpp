@@ -64,4 +64,30 @@ std::optional<CornerEnd> corner_near(const Programme& programme, const Eigen::Ve
   return CornerEnd{bundle.at, optimality};
 }
 
+std::optional<Optimality> multipliers_around(const Programme& programme, const Eigen::VectorXd& variables,
+                                             double size) {
+  constexpr double kStep = 3e-3, kRest = 1e-2;  // of scaled variables; of the size, as gradients change over the step
+  ProgrammePoint point;
+  if (!programme.evaluate(variables, true, point)) return {};
+  point = reached(std::move(point), kStep);
+  const auto optimality = [&](const std::vector<Eigen::VectorXd>& beside) {
+    return optimality_at(point, variables, programme.lower, programme.upper, size, beside);
+  };
+  std::vector<Eigen::VectorXd> beside;
+  Optimality found = optimality({});
+  for (Eigen::Index k = 0; k < 2 * variables.size() + 2; ++k) {
+    if (!beside.empty() && found.rest <= kRest) return found;
+    const Eigen::VectorXd to = variables + kStep * found.rest_direction.normalized();
+    ProgrammePoint there;
+    if (!programme.evaluate(to.cwiseMax(programme.lower).cwiseMin(programme.upper), true, there)) return {};
+    // The point's own gradient is of differences across the corner.
+    if (k == 0)
+      point.gradient = there.gradient;
+    else
+      beside.push_back(there.gradient);
+    found = optimality(beside);
+  }
+  return {};
+}
+
 }  // namespace mbgen::optimise

@@ -23,4 +23,8 @@ struct CornerEnd {
 std::optional<CornerEnd> corner_near(const Programme& programme, const Eigen::VectorXd& variables, double size,
                                      int most, double shortest);
 
+/// Multipliers at a corner whose derivatives are differences: by gradients a step away from it, where no difference
+/// reaches across, so to about a hundredth. None where they do not cancel up to that. size: of the goal.
+std::optional<Optimality> multipliers_around(const Programme& programme, const Eigen::VectorXd& variables, double size);
+
 }  // namespace mbgen::optimise

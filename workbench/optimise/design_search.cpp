@@ -153,15 +153,19 @@ void end_at_corner(const DesignProblem& problem, const DesignTask& task, const L
       corner_near(programme, designs.scaled(found.design.values), 1, limits.evaluations, shortest);
   Design design;
   if (!corner || !designs.evaluate(designs.unscaled(corner->variables), true, design)) return;
-  if (better_beside(programme, corner->variables, corner->optimality, 1, false)) return;
+  // Along its slopes the corner is known up to the shortest step.
+  const std::optional<BetterPoint> lower = better_beside(programme, corner->variables, corner->optimality, 1, false);
+  if (lower && lower->gain > shortest) return;
+  std::optional<Optimality> told = corner->optimality;
+  if (shortest != kShortestExact) told = multipliers_around(programme, corner->variables, 1);
   if (problem.is_stopped && problem.is_stopped()) return;
   take(problem, task, programme, corner->variables, limits.size, std::move(design), found);
   const double more = own / std::max(limits.size, size_at(found.point));
-  found.optimality = corner->optimality;
+  found.optimality = told.value_or(corner->optimality);
   for (Eigen::VectorXd* list : {&found.optimality.inequalities, &found.optimality.equalities, &found.optimality.bounds})
-    // Of the goal, not of the goal over its size; differences across a corner tell no multipliers.
-    *list *= shortest == kShortestExact ? own : std::numeric_limits<double>::quiet_NaN();
-  found.optimality.rest *= more;
+    // Of the goal, not of the goal over its size.
+    *list *= told ? own : std::numeric_limits<double>::quiet_NaN();
+  found.optimality.rest = more * corner->optimality.rest;
   found.status = status_of(problem, task, found);
   found.ended += "; at a corner of the goal, where its gradients cancel";
 }
