@@ -280,6 +280,9 @@ TEST_F(Adjoint, IsRefusedWhereItSaysNothing) {
   const std::string model = "generate '" + kSource + "/models/pendulum.json' --adjoint --out made ";
   EXPECT_NE(mbgen(model + "--scalar float").err.find("--adjoint has derivatives of doubles"), std::string::npos);
   EXPECT_NE(mbgen(model + "--reading").err.find("leave out --adjoint or --reading"), std::string::npos);
+  const Outcome hosted =
+      mbgen("generate '" + kSource + "/examples/c_interface/hosted_wheel.json' --adjoint --c-api --out made");
+  EXPECT_NE(hosted.err.find("knows no ground of a host"), std::string::npos) << hosted.err;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "compiler/analysis/held_start.hpp"
 #include "compiler/compile.hpp"
+#include "compiler/model/tyres.hpp"
 #include "compiler/text/json_text.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/cli/commands.hpp"
@@ -116,10 +117,15 @@ void require_range(const Compilation& compilation, Scalar scalar) {
   }
 }
 
-/// Fails: UserError for a C interface of derivatives whose start has none.
-void require_start(const GenerateOptions& options, const Compilation& compilation) {
+/// Fails: UserError for a C interface of derivatives whose start has none, or whose steps ask a host.
+void require_derivatives(const GenerateOptions& options, const Compilation& compilation) {
   const bool has_derivatives = options.adjoint || !options.sensitivities.empty();
   if (!has_derivatives || !(options.c_interface || options.emit.calibration)) return;
+  if (!tyres_on_host(compilation.model).empty())
+    throw UserError(
+        "generate: --c-api with --sensitivities or --adjoint knows no ground of a host, whose slopes have no "
+        "derivatives\n"
+        "  hint: leave out --c-api: in C++ take_ground gives a step its planes\n");
   if (has_start_with_derivatives(compilation.model, compilation.topology, compilation.analysis)) return;
   throw UserError(
       "generate: --c-api with --sensitivities or --adjoint needs a start with derivatives: \"initial\" without a "
@@ -211,7 +217,7 @@ int run(const GenerateOptions& options) {
       compiled(read_named(options),
                {.form = chosen_form(options.form), .spelling = options.reading ? Spelling::reading : Spelling::fast});
   require_range(compilation, options.emit.scalar);
-  require_start(options, compilation);
+  require_derivatives(options, compilation);
   require_explicit(options, compilation);
   EmitOptions emitted = options.emit;
   emitted.tangents = options.adjoint || !options.sensitivities.empty();
