@@ -9,6 +9,7 @@
 #include "workbench/motion/load_watch.hpp"
 #include "workbench/motion/road_watch.hpp"
 #include "workbench/motion/table_watch.hpp"
+#include "workbench/motion/touch_watch.hpp"
 
 namespace mbgen {
 namespace {
@@ -43,6 +44,7 @@ MotionJudge::MotionJudge(const MotionTask& task)
   watch_by(LoadWatch(task.compilation.model));
   watch_by(RoadWatch(task.compilation, task.start));
   watch_by(TableWatch(task.compilation, task.settings));
+  watch_by(TouchWatch(task.compilation, settings_));
 }
 
 void MotionJudge::add(const Sample& sample) {
