@@ -1,5 +1,5 @@
 #pragma once
-// Places at which a solver sees whether ropes hold on to their way.
+// Places at which a solver sees whether elements hold on to their way.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,7 @@
 
 namespace mbgen {
 
-/// Names of the places, rope by rope: its legs, "hoist from drum.O to load.O", which may have no way; its pulleys,
-/// "hoist at load.O", off which it may lift; its spans, which may be wound up.
-std::vector<std::string> rope_place_names(const Model& model);
+/// Names of the places, element by element: see `holds` of the kinds.
+std::vector<std::string> hold_names(const Model& model);
 
 }  // namespace mbgen
