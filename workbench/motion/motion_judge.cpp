@@ -8,6 +8,7 @@
 #include "workbench/motion/input_bounds.hpp"
 #include "workbench/motion/load_watch.hpp"
 #include "workbench/motion/road_watch.hpp"
+#include "workbench/motion/step_error_watch.hpp"
 #include "workbench/motion/table_watch.hpp"
 #include "workbench/motion/touch_watch.hpp"
 
@@ -45,6 +46,7 @@ MotionJudge::MotionJudge(const MotionTask& task)
   watch_by(RoadWatch(task.compilation, task.start));
   watch_by(TableWatch(task.compilation, task.settings));
   watch_by(TouchWatch(task.compilation, settings_));
+  watch_by(StepErrorWatch(task.compilation, relative_, task.integrator, settings_, inputs_));
 }
 
 void MotionJudge::add(const Sample& sample) {
