@@ -63,21 +63,23 @@ std::string python_list(const std::vector<std::string>& items) {
 
 std::string c_header_text(const EmitContext& context) {
   const SolverNames& names = context.names;
-  return fill_template(
-      context, "c_interface.h.in",
-      {{"banner", c_banner_text(context.model)},
-       {"title", c_comment_text(context.model.name)},
-       {"guard", guard_of(names.solver)},
-       {"parameters", c_members(parameter_members(context))},
-       {"inputs", c_members(input_members(context))},
-       {"input_comment", input_comment(context)},
-       {"outputs", c_members(output_members(context))},
-       {"has_quantities", has_quantities(context)},
-       {"rope_places", context.layout.rope_places > 0 ? std::to_string(context.layout.rope_places) : ""},
-       {"first_notice", static_cast<int>(kFirstNotice)},
-       {"integrator", context.model.solver.is_implicit()    ? "linearly implicit, ROS34PW2"
-                      : context.model.solver.is_multistep() ? "Adams-Bashforth-Moulton"
-                                                            : "Runge-Kutta"}});
+  return fill_template(context, "c_interface.h.in",
+                       {{"banner", c_banner_text(context.model)},
+                        {"title", c_comment_text(context.model.name)},
+                        {"guard", guard_of(names.solver)},
+                        {"parameters", c_members(parameter_members(context))},
+                        {"inputs", c_members(input_members(context))},
+                        {"input_comment", input_comment(context)},
+                        {"outputs", c_members(output_members(context))},
+                        {"has_quantities", has_quantities(context)},
+                        {"holds", context.layout.holds > 0 ? std::to_string(context.layout.holds) : ""},
+                        {"not_held", kNotHeldName},
+                        {"not_held_text", text(kNotHeld)},
+                        {"not_held_code", static_cast<int>(kNotHeld)},
+                        {"first_notice", static_cast<int>(kFirstNotice)},
+                        {"integrator", context.model.solver.is_implicit()    ? "linearly implicit, ROS34PW2"
+                                       : context.model.solver.is_multistep() ? "Adams-Bashforth-Moulton"
+                                                                             : "Runge-Kutta"}});
 }
 
 std::string c_source_text(const EmitContext& context) {

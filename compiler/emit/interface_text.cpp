@@ -6,8 +6,8 @@
 #include "compiler/emit/text.hpp"
 #include "compiler/emit/texts.hpp"
 #include "compiler/model/auxiliary_states.hpp"
+#include "compiler/model/holds.hpp"
 #include "compiler/model/inputs.hpp"
-#include "compiler/model/rope_places.hpp"
 #include "compiler/topology/names.hpp"
 
 namespace mbgen {
@@ -36,7 +36,7 @@ FrameRows tables(const EmitContext& context) {
       {"kParameterNames", names_of(parameters)},
       {"kParameterUnits", mapped(parameters, &Parameter::unit)},
       {"kLoopBlockNames", mapped(context.topology.blocks, block_name)}};
-  if (context.layout.rope_places > 0) all.emplace_back("kRopePlaceNames", rope_place_names(model));
+  if (context.layout.holds > 0) all.emplace_back("kHoldNames", hold_names(model));
   if (context.layout.actuators > 0) {
     all.emplace_back("kActuatorNames", names_of(model.actuators));
     all.emplace_back("kActuatorDirections", actuated_directions(model, context.topology, context.analysis));

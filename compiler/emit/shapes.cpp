@@ -20,7 +20,7 @@ constexpr std::pair<Array, const char*> kMembers[] = {
     {Array::dz, "Newton correction; driven coordinates go to their motions"},
     {Array::driven_acceleration, "of driven coordinates, by their motions; no others"},
     {Array::xd, "rates of the auxiliary states"},
-    {Array::hold, "of places of ropes: negative, or NaN, where a taut rope lifts off or has no way"},
+    {Array::hold, "of places of elements: negative, or NaN, where one does not hold"},
     {Array::held, "the last auxiliary states: sampled values"},
     {Array::place, "x and y below each wheel on ground of the host"},
     {Array::lambda, "multipliers, loop after loop"},
@@ -197,7 +197,7 @@ ProgramShape shape_of(const ShapeRow& row, const EmitContext& context) {
   }
   for (const Array array : spec_of(row.role).outputs) {
     if (array == Array::law_argument || array == (context.layout.chooses_again ? Array::rate : Array::Jz)) continue;
-    if (array == Array::hold && context.layout.rope_places == 0) continue;
+    if (array == Array::hold && context.layout.holds == 0) continue;
     if (array == Array::state_pivot && context.layout.own_states == 0) continue;
     if (array == Array::Rz && (context.layout.blocks.empty() || !context.layout.chooses_again)) continue;
     for (const auto& [member, comment] : kMembers)

@@ -11,20 +11,28 @@ namespace mbgen {
 namespace {
 
 constexpr double kSlipOfRadius = 0.1;  // of a tyre's radius: typical size of its slip states
-constexpr double kExtension = 1e-3;    // m or rad, of the spring of a Maxwell branch
-constexpr double kBristle = 1e-4;      // m or rad: typical deflection of bristles before sliding
 constexpr double kTurn = 0.01;         // rad: typical rotation of a contact patch before sliding
-constexpr double kRopeSlip = 1e-3;     // m: typical slip of a rope in a groove
 constexpr int kSlipsOfTyre = 2;
-constexpr int kBristlesOfContact = 2;
 
 AuxiliaryState hidden(const std::string& name, const std::string& unit, double size) {
   return {name, unit, unit + "/s", "auxiliary state", 0, {}, size};
 }
 
-/// Units are needed while a model is read: a reference to a coordinate may be invalid.
-const char* unit_of_coordinate(const Model& model, const CoordinateReference& coordinate) {
-  return coordinate.joint < 0 ? "" : unit_of(freedom_of(model, coordinate).kind);
+/// Unit of the coordinate that an element acts on, "m" without one. Units are needed while a model is read: a reference
+/// to a coordinate may be invalid.
+const char* unit_of_place(const Model& model, const Connection& connection) {
+  const OnCoordinate* on = std::get_if<OnCoordinate>(&connection);
+  return !on ? "m" : on->joint.joint < 0 ? "" : unit_of(freedom_of(model, on->joint).kind);
+}
+
+/// Number of states of a nature.
+int states_by_nature(const Model& model, StateNature nature) {
+  int count = 0;
+  StatefulKinds::each([&](auto kind) {
+    if (kind.nature == nature)
+      for (const auto& element : kind.list(model)) count += state_count(element);
+  });
+  return count;
 }
 
 /// A value of the user's own; all without unit are numbers.
@@ -51,25 +59,13 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model) {
   }
   for (const Tyre& tyre : model.tyres)
     if (tyre.parking) states.push_back(hidden(tyre.name + "_turn", "rad", kTurn));
-  for (const Rope& rope : model.ropes)
-    for (int i = 0; i < rubbing_grooves(rope); ++i)
-      states.push_back(hidden(rope.name + "_slip" + std::to_string(i + 1), "m", kRopeSlip));
-  each_friction(model, [&](const auto& friction) {
-    if (!friction.has_bristle()) return;
-    const Connection connection = connection_of(friction);
-    const OnCoordinate* on = std::get_if<OnCoordinate>(&connection);
-    states.push_back(hidden(friction.name + "_bristle", on ? unit_of_coordinate(model, on->joint) : "m", kBristle));
+  StatefulKinds::each([&](auto kind) {
+    for (const auto& element : kind.list(model))
+      kind.states(element, [&](const HiddenState& state) {
+        const char* unit = state.unit ? state.unit : unit_of_place(model, connection_of(element));
+        states.push_back(hidden(element.name + state.suffix, unit, state.size));
+      });
   });
-  for (const SurfaceContact& contact : model.contacts)
-    for (const char* suffix : {"_bristle1", "_bristle2"})
-      if (contact.has_friction()) states.push_back(hidden(contact.name + suffix, "m", kBristle));
-  for (const Bushing& bushing : model.bushings) {
-    for (int i = 0; i < kBushingFreedoms; ++i) {
-      if (!has_maxwell_branch(bushing, i)) continue;
-      const std::string name(kBushingFreedomNames[static_cast<std::size_t>(i)]);
-      states.push_back(hidden(bushing.name + "_" + name, i < 3 ? "m" : "rad", kExtension));
-    }
-  }
   for (const UserState& state : model.states) states.push_back(own(state, state.name, "state"));
   for (const SampledValue& value : model.sampled) states.push_back(own(value, value.name, "sampled value"));
   for (const SampledValue& value : model.sampled)
@@ -90,33 +86,13 @@ int turn_state(const Model& model, std::size_t tyre) {
   return first_turn(model) + static_cast<int>(before);
 }
 
-int first_slip(const Model& model, std::size_t rope) {
-  int place = turn_state(model, model.tyres.size());
-  for (std::size_t i = 0; i < rope; ++i) place += rubbing_grooves(model.ropes[i]);
-  return place;
+int first_bristle(const Model& model) {
+  return turn_state(model, model.tyres.size()) + states_by_nature(model, StateNature::slip);
 }
 
-int first_bristle(const Model& model) { return first_slip(model, model.ropes.size()); }
-
-std::size_t bristle_state(const Model& model, const FrictionLaw& friction) {
-  auto state = static_cast<std::size_t>(first_bristle(model));
-  bool is_before = true;
-  each_friction(model, [&](const FrictionLaw& other) {
-    is_before = is_before && &other != &friction;
-    if (is_before && other.has_bristle()) ++state;
-  });
-  return state;
+int slip_state_count(const Model& model) {
+  return first_bristle(model) + states_by_nature(model, StateNature::bristle);
 }
-
-int contact_state(const Model& model, std::size_t contact) {
-  int state = first_bristle(model);
-  each_friction(model, [&](const FrictionLaw& friction) { state += friction.has_bristle() ? 1 : 0; });
-  const auto has_friction = [](const SurfaceContact& c) { return c.has_friction(); };
-  const auto before = std::ranges::count_if(std::span(model.contacts).first(contact), has_friction);
-  return state + kBristlesOfContact * static_cast<int>(before);
-}
-
-int slip_state_count(const Model& model) { return contact_state(model, model.contacts.size()); }
 
 std::vector<std::string> auxiliary_state_names(const Model& model) {
   std::vector<std::string> names;
@@ -130,13 +106,9 @@ std::vector<double> initial_auxiliary_states(const Model& model) {
   return values;
 }
 
-int first_extension(const Model& model, std::size_t bushing) {
-  int place = slip_state_count(model);
-  for (std::size_t b = 0; b < bushing; ++b) place += maxwell_branches(model.bushings[b]);
-  return place;
+int first_user_state(const Model& model) {
+  return slip_state_count(model) + states_by_nature(model, StateNature::relaxing);
 }
-
-int first_user_state(const Model& model) { return first_extension(model, model.bushings.size()); }
 
 int first_sampled_value(const Model& model) { return first_user_state(model) + static_cast<int>(model.states.size()); }
 

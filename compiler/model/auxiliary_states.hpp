@@ -1,10 +1,7 @@
 #pragma once
 // Auxiliary states of a model, in their order: two slip deflections per tyre (m), the rotation of each tyre with a
-// moment of its patch against turning (rad), the slip of each rope in a groove with friction (m), the deflection of
-// each bristle of a friction (rad or m, frictions on coordinates first), two deflections of bristles per contact with
-// friction (m), the extension of the spring of each Maxwell branch of a six-freedom element (m or rad), the user's
-// states, the sampled values (the user's before loads of frictions), and the pending values of sampled values with a
-// delay.
+// moment of its patch against turning (rad), the states of other elements by StatefulKinds, the user's states, the
+// sampled values (the user's before loads of frictions), and the pending values of sampled values with a delay.
 
 #include <optional>
 #include <string>
@@ -27,12 +24,9 @@ std::vector<AuxiliaryState> auxiliary_states(const Model& model);
 
 int auxiliary_state_count(const Model& model);
 
-/// Number of leading states that are slips and rotations of tyres, slips of ropes or bristles of frictions and
-/// contacts. At rest these keep any value; the others then have the values at which their rates are zero.
+/// Number of leading states that are slips and rotations of tyres, and slips and bristles of other elements. At rest
+/// these keep any value; the others then have the values at which their rates are zero.
 int slip_state_count(const Model& model);
-
-/// Position of the first extension of the Maxwell branches of a six-freedom element; the elements follow one another.
-int first_extension(const Model& model, std::size_t element);
 
 /// Names of the auxiliary states.
 std::vector<std::string> auxiliary_state_names(const Model& model);
@@ -54,23 +48,44 @@ int held_state_count(const Model& model);
 bool takes_reactions(const Model& model);
 
 /// Magnitude of a state equivalent to 1 rad or 1 m of a coordinate in searches, differences and tolerances: its nominal
-/// value, else its initial one, else the typical size of slips, bristles and Maxwell branches, else 1.
+/// value, else its initial one, else the typical size of an element's state, else 1.
 double magnitude_of(const AuxiliaryState& state);
 
 /// The first rotation state of the tyres, after their slips, and the one of a tyre. Requires: this tyre has one.
 int first_turn(const Model& model);
 int turn_state(const Model& model, std::size_t tyre);
 
-/// The first slip of a rope in a groove; its grooves with friction follow one another along its path.
-int first_slip(const Model& model, std::size_t rope);
-
-/// The first state of the bristles, and the state of a friction. Requires: a friction of the model; without bristles
-/// the result is the state of the next friction.
+/// The first state of the bristles.
 int first_bristle(const Model& model);
-std::size_t bristle_state(const Model& model, const FrictionLaw& friction);
 
-/// The first of the two bristles of a contact (index into Model::contacts), after those of frictions. Requires: the
-/// contact has friction.
-int contact_state(const Model& model, std::size_t contact);
+template <class Element>
+int state_count(const Element& element) {
+  int count = 0;
+  KindOf<Element>::states(element, [&](const HiddenState&) { ++count; });
+  return count;
+}
+
+/// The first state of an element by its index among its kind; its states follow one another. Without states: the place
+/// of the next ones.
+template <class Element>
+int first_state(const Model& model, std::size_t element) {
+  int place = turn_state(model, model.tyres.size());
+  bool is_before = true;
+  StatefulKinds::each([&](auto kind) {
+    const auto& list = kind.list(model);
+    const bool is_own = std::is_same_v<typename decltype(kind)::Element, Element>;
+    const std::size_t end = is_own ? element : list.size();
+    for (std::size_t i = 0; is_before && i < end; ++i) place += state_count(list[i]);
+    is_before = is_before && !is_own;
+  });
+  return place;
+}
+
+/// The first state of an element. Requires: it is in its list in the model.
+template <class Element>
+std::size_t state_of_element(const Model& model, const Element& element) {
+  const auto index = static_cast<std::size_t>(&element - KindOf<Element>::list(model).data());
+  return static_cast<std::size_t>(first_state<Element>(model, index));
+}
 
 }  // namespace mbgen

@@ -59,6 +59,11 @@ inline bool mentions(const Model& model, int expression, std::initializer_list<E
   });
 }
 
+/// Name of the spring that an element acts along.
+inline const std::string& name_of(const Model& model, const AlongSpring& at) {
+  return model.springs[static_cast<std::size_t>(at.spring)].name;
+}
+
 /// The round after the outputs that an expression looks at: 0 without any, at most kAfterForces.
 int round_after(const Model& model, const Expression& expression);
 

@@ -39,6 +39,9 @@ struct Kinds {
 using ElementKinds = Kinds<PointSpring, AirSpring, JointSpring, JointFriction, SpringFriction, RodFriction, JointForce,
                            AppliedForce, Tyre, Bushing, BumpStop, Rope, SurfaceContact, Actuator>;
 
+/// Kinds with auxiliary states besides tyres, in the order of these: by nature.
+using StatefulKinds = Kinds<Rope, JointFriction, SpringFriction, RodFriction, SurfaceContact, Bushing>;
+
 /// Index of a kind in the list.
 template <class Element>
 requires(ElementKinds::index_of<Element>() <

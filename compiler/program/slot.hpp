@@ -24,7 +24,7 @@ enum class Array : std::uint8_t {
   energy,               ///< kinetic, potential
   force,                ///< of actuators
   held,                 ///< auxiliary states that hold between instants
-  hold,                 ///< of places of ropes: negative, or NaN, where a taut rope lifts off or has no way
+  hold,                 ///< of places of elements: negative, or NaN, where one does not hold
   in,                   ///< inputs of the model
   inertia,              ///< pivots of the final equations, one a free direction
   lambda,               ///< multipliers

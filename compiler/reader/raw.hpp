@@ -23,14 +23,18 @@ struct SectionsOf;
 template <class... Kind>
 struct SectionsOf<Kinds<Kind...>> : SectionOf<Kind>... {};
 
+// Elements that stand for others, in the order of their sections: see ComposedSection.
+struct AntiRollBarFields;
+struct BeamFields;
+using Compositions = Kinds<AntiRollBarFields, BeamFields>;
+
 /// The whole file: its sections, read in order since each needs the names of those before it.
-struct FileFields : About, SectionsOf<ElementKinds> {
+struct FileFields : About, SectionsOf<ElementKinds>, SectionsOf<Compositions> {
   std::size_t document = 0;  ///< index into Documents
   const Value *format = nullptr, *name = nullptr, *gravity = nullptr, *include = nullptr;
   const Value *hardpoints = nullptr;
   const Value *tables = nullptr, *maps = nullptr;
   const Value *parameters = nullptr, *inputs = nullptr, *bodies = nullptr, *joints = nullptr, *rods = nullptr;
-  const Value *anti_roll_bars = nullptr, *beams = nullptr;
   const Value *tyre_data = nullptr, *motions = nullptr;
   const Value *axles = nullptr, *vehicle = nullptr;
   const Value *roads = nullptr;
@@ -126,23 +130,6 @@ struct DelayFields : Presentation {
   std::string unit;
 };
 
-/// An anti-roll bar: see compose_bars. Positions in the axes of its file.
-struct AntiRollBarFields {
-  std::string body, left, right;  ///< names of bodies
-  const Value *pivot = nullptr, *arm = nullptr, *link = nullptr;
-  const Value *right_pivot = nullptr, *right_arm = nullptr, *right_link = nullptr;
-  Mirror mirror = Mirror::xz;
-  const Value *stiffness = nullptr, *damping = nullptr, *section = nullptr;
-  std::optional<double> link_stiffness;
-  double mass = 0, link_mass = 0;
-};
-
-/// The round cross-section of an anti-roll bar.
-struct BarSectionFields {
-  double diameter = 0, inner_diameter = 0, shear_modulus = 0;
-  std::optional<double> length;
-};
-
 struct TyreDataFields {
   std::string name;
   Where where;
@@ -207,7 +194,7 @@ struct VehicleFields : Vehicle {
 
 struct MotionFields : Motion {
   std::optional<Quantity> angle, displacement;
-  const Value* actuated_by = nullptr;  ///< names of actuators
+  const Value *actuated_by = nullptr;  ///< names of actuators
 };
 
 enum class Quantities {
@@ -322,10 +309,6 @@ template <>
 std::span<const Field<JointFields>> fields<JointFields>();
 template <>
 std::span<const Field<RodFields>> fields<RodFields>();
-template <>
-std::span<const Field<AntiRollBarFields>> fields<AntiRollBarFields>();
-template <>
-std::span<const Field<BarSectionFields>> fields<BarSectionFields>();
 template <>
 std::span<const Field<Coupling>> fields<Coupling>();
 template <>

@@ -9,8 +9,6 @@
 
 #include "compiler/model/model.hpp"
 #include "compiler/reader/elements/actuator.hpp"
-#include "compiler/reader/elements/anti_roll_bar.hpp"
-#include "compiler/reader/elements/beam.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/read_states.hpp"
@@ -169,8 +167,9 @@ void read_sections(Reader& reader) {
   read_hardpoints(reader, entries(&FileFields::hardpoints));
   place_instances(reader);
   ComposedParts made;
-  compose_bars(reader, entries(&FileFields::anti_roll_bars), made);
-  compose_beams(reader, entries(&FileFields::beams), made);
+  each_composition([&]<class Fields>(Composition<Fields> composition) {
+    section_of(composition).compose(reader, entries(&SectionOf<Fields>::section), made);
+  });
   compose_rotors(reader, actuators, made);
   read_bodies(reader, with_composed(reader, entries(&FileFields::bodies), made.bodies));
   reader.has_bodies = true;
@@ -179,10 +178,9 @@ void read_sections(Reader& reader) {
   read_rods(reader, with_composed(reader, entries(&FileFields::rods), made.rods), actuators);
   read_couplings(reader, with_composed(reader, entries(&FileFields::couplings), made.couplings));
   std::array<Entries, ElementKinds::count> elements;
-  each_section([&]<class Kind>(KindOf<Kind>) { elements[kKindIndex<Kind>] = entries(&SectionOf<Kind>::section); });
-  Entries &springs = elements[kKindIndex<JointSpring>], &bushings = elements[kKindIndex<Bushing>];
-  springs = with_composed(reader, std::move(springs), made.joint_springs);
-  bushings = with_composed(reader, std::move(bushings), made.bushings);
+  each_section([&]<class Kind>(KindOf<Kind>) {
+    elements[kKindIndex<Kind>] = with_composed(reader, entries(&SectionOf<Kind>::section), made.of<Kind>());
+  });
   name_lines(reader, elements);
   const Entries outputs = entries(&FileFields::outputs);
   name_outputs(reader, outputs);

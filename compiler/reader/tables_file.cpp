@@ -20,7 +20,13 @@ Field<FileFields> section_row(KindOf<Kind> kind) {
   return field<FileFields, &SectionOf<Kind>::section>(section(kind.section, kind.key, section_of(Leader<Kind>()).doc));
 }
 
-/// Sections before those of elements.
+template <class Fields>
+Field<FileFields> section_row(Composition<Fields> composition) {
+  const ComposedSection made = section_of(composition);
+  return field<FileFields, &SectionOf<Fields>::section>(section(made.name, made.key, made.doc));
+}
+
+/// Sections before those of compositions.
 std::vector<Field<FileFields>> first_sections() {
   using F = FileFields;
   return {
@@ -58,9 +64,13 @@ std::vector<Field<FileFields>> first_sections() {
       field<F, &F::bodies>(section("bodies", "body", "rigid bodies; \"ground\" is the fixed one")),
       field<F, &F::joints>(section("joints", "joint", "joints between bodies, tree or loop closing")),
       field<F, &F::rods>(section("rods", "rod", "bars with a spherical joint at each end")),
-      field<F, &F::anti_roll_bars>(
-          section("anti_roll_bars", "anti_roll_bar", "anti-roll bars: two half bars, torsion between them, droplinks")),
-      field<F, &F::beams>(section("beams", "beam", "beams that bend and twist: bodies with elastic connections")),
+  };
+}
+
+/// Sections between those of compositions and those of elements.
+std::vector<Field<FileFields>> middle_sections() {
+  using F = FileFields;
+  return {
       field<F, &F::states>(section("states", "state", "states of your own: their derivatives are expressions")),
       field<F, &F::sampled>(section("sampled", "sampled_value", "values set at instants: sampled controllers")),
       field<F, &F::values>({.name = "values",
@@ -98,8 +108,10 @@ std::vector<Field<FileFields>> last_sections() {
 template <>
 std::span<const Field<FileFields>> fields<FileFields>() {
   static const std::vector<Field<FileFields>> table = [] {
-    const auto first = first_sections(), last = last_sections();
-    std::vector<Field<FileFields>> rows(first.begin(), first.end());
+    const auto middle = middle_sections(), last = last_sections();
+    std::vector<Field<FileFields>> rows = first_sections();
+    each_composition([&](auto composition) { rows.push_back(section_row(composition)); });
+    rows.insert(rows.end(), middle.begin(), middle.end());
     each_section([&](auto kind) { rows.push_back(section_row(kind)); });
     rows.insert(rows.end(), last.begin(), last.end());
     return rows;

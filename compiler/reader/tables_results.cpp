@@ -3,8 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <iterator>
 
-#include "compiler/reader/elements/beam.hpp"
 #include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/included.hpp"
 #include "compiler/reader/output_sources.hpp"
@@ -202,15 +202,12 @@ std::vector<ObjectKind> object_kinds() {
       kind_of<AxisFields>("axis_by_points", "an axis from one point to another"),
       kind_of<JointFields>("joint", "a joint"),
       kind_of<RodFields>("rod", "a bar with a spherical joint at each end"),
-      kind_of<AntiRollBarFields>("anti_roll_bar",
-                                 "an anti-roll bar by three points of its left side; exactly one of stiffness, "
-                                 "link_stiffness and section",
-                                 {"stiffness", "link_stiffness", "section"}),
-      kind_of<BarSectionFields>("bar_section", "round cross-section of an anti-roll bar"),
-      kind_of<BeamFields>("beam", "a beam through points, of segments that bend and twist"),
-      kind_of<BeamSectionFields>("beam_section", "cross-section of a beam"),
-      kind_of<BeamMaterial>("beam_material", "material of a beam"),
-      kind_of<BeamSupportFields>("beam_support", "joint of a beam's point with a body"),
+  };
+  const auto add = [&](std::vector<ObjectKind> more) {
+    kinds.insert(kinds.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  each_composition([&](auto composition) { add(section_of(composition).kinds()); });
+  add({
       kind_of<Coupling>("coupling", "a relation between coordinates; exactly one of relation and curve",
                         {"relation", "curve"},
                         {{"curve", "joint"}, {"curve", "follows"}, {"joint", "curve"}, {"follows", "curve"}}),
@@ -221,12 +218,9 @@ std::vector<ObjectKind> object_kinds() {
           {"value", "reaction"}),
       kind_of<SensorFields>("sensor", "a measured value, set at t = 0, period, 2 period and so on"),
       kind_of<DelayFields>("delay", "a value as it was some time ago"),
-  };
-  each_section([&](auto kind) {
-    for (ObjectKind& of : section_of(Leader<typename decltype(kind)::Element>()).kinds())
-      kinds.push_back(std::move(of));
   });
-  for (ObjectKind& other : other_kinds()) kinds.push_back(std::move(other));
+  each_section([&]<class Kind>(KindOf<Kind>) { add(section_of(Leader<Kind>()).kinds()); });
+  add(other_kinds());
   return kinds;
 }
 

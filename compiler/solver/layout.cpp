@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/rope_places.hpp"
+#include "compiler/model/holds.hpp"
 #include "compiler/model/tyres.hpp"
 
 namespace mbgen {
@@ -30,7 +30,7 @@ SolverLayout solver_layout(const Model& model, const Topology& topology, const A
   layout.held = held_state_count(model);
   layout.sampled = static_cast<int>(model.sampled.size());
   layout.grounds = static_cast<int>(tyres_on_host(model).size());
-  layout.rope_places = static_cast<int>(rope_place_names(model).size());
+  layout.holds = static_cast<int>(hold_names(model).size());
   layout.balls = static_cast<int>(topology.balls.size());
   layout.drives = static_cast<int>(model.motions.size());
   layout.inputs = static_cast<int>(model.inputs.size());
@@ -89,7 +89,7 @@ int size_of(const SolverLayout& layout, Array array) {
       {{par}, layout.parameters},
       {{y}, layout.outputs},
       {{place}, 2 * layout.grounds},
-      {{hold}, layout.rope_places},
+      {{hold}, layout.holds},
       {{energy}, 2},
       {{t, power, step}, 1},
   };

@@ -30,7 +30,7 @@ struct SolverLayout {
   int own_states = 0;             ///< auxiliary states of the user's own
   int sampled = 0, held = 0;      ///< sampled values; the last auxiliary states, which these are and wait in
   int grounds = 0;                ///< wheels on ground of a host
-  int rope_places = 0;            ///< see rope_place_names
+  int holds = 0;                  ///< see hold_names
   int block_coordinates = 0, jacobian_entries = 0, projection_entries = 0;
   bool has_closure = false;   ///< loops or motions
   bool chooses_again = true;  ///< another partition at run time; see analysis.hpp

@@ -65,7 +65,7 @@ Status accelerations_by_recursion(GenericEquations& equations, const GenericStat
                         given.constants, given.annotator};
   const Kinematics<double> k = kinematics(system);
   const AppliedForces<double> forces = applied_forces(system, k, velocities(system, k, MotionPoint::body_origin));
-  if (const Status status = check_ropes(forces.hold); !status.ok()) return status;
+  if (const Status status = check_holds(forces.hold); !status.ok()) return status;
   RecursiveSolution<double> solution =
       recursive_accelerations(system, *equations.recursion, k, forces, drives(system), tau, projections);
   if (const Status status = status_of(equations.topology, projections, solution.inertia); !status.ok()) return status;

@@ -53,7 +53,7 @@ Status GenericSolver::accelerations(const GenericState& state, const std::vector
   const Velocities<double> v = velocities(system, k);
   end_of(Step::velocities);
   const AppliedForces<double> forces = applied_forces(system, k, v);
-  if (const Status status = check_ropes(forces.hold); !status.ok()) return status;
+  if (const Status status = check_holds(forces.hold); !status.ok()) return status;
   end_of(Step::forces);
   if (clock) equations.places.evaluate(system, k, equations.motion_of_blocks(system, k), equations.at_hand);
   std::vector<double> zdd = equations.starred_accelerations(system, GenericEquations::closure_accelerations(closed));

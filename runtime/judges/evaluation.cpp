@@ -46,7 +46,7 @@ Status evaluate(const Mechanics& mechanics, const PlacedState& at, const std::ve
                 const std::vector<int>& equations, Evaluation& evaluation) {
   evaluation.terms = mechanics.system.terms(at.bodies, at.z, tau);
   const CartesianTerms& terms = evaluation.terms;
-  if (const Status status = check_ropes(terms.hold); !status.ok()) return status;
+  if (const Status status = check_holds(terms.hold); !status.ok()) return status;
   if (!terms.jacobian.allFinite() || !terms.mass.allFinite() || !terms.force.allFinite() || !terms.bias.allFinite())
     return {Code::not_a_number, -1};
   PivotRule rule{kZeroPivot, equations, terms.late};

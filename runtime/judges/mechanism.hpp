@@ -43,7 +43,7 @@ struct Forces {
   std::vector<Load> loads;     ///< springs, applied forces, tyres; also on ground
   std::vector<double> joints;  ///< per tree coordinate, N or N m
   std::vector<double> xd;      ///< rates of the auxiliary states
-  std::vector<double> hold;    ///< per place of a rope, see rope_place_names
+  std::vector<double> hold;    ///< per place of hold_names
   std::vector<LineAtWork> springs;
   std::vector<TyreResult<double>> tyres;
   std::vector<double> observed;  ///< of Model::observed, without those over accelerations

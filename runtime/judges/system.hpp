@@ -26,7 +26,7 @@ struct CartesianTerms {
   Eigen::VectorXd bias;      ///< c of (4), m
   std::vector<double> xd;    ///< rates of the auxiliary states
   std::vector<int> late;     ///< nonholonomic equations
-  std::vector<double> hold;  ///< per place of a rope, negative or NaN where it does not hold
+  std::vector<double> hold;  ///< per place of hold_names, negative or NaN where the element does not hold
 };
 
 /// A force and a moment about a named point, global axes.

@@ -99,11 +99,9 @@ inline Status check_finite(const GenericState& state, const std::vector<double>&
   return {};
 }
 
-/// Names the first place at which a rope does not hold. hold: per place of a rope, negative or NaN there.
-inline Status check_ropes(const std::vector<double>& hold) {
-  for (std::size_t place = 0; place < hold.size(); ++place)
-    if (!(hold[place] >= 0)) return {Code::rope_lost, static_cast<int>(place)};
-  return {};
+/// Names the first place at which an element does not hold. hold: per place, negative or NaN there.
+inline Status check_holds(const std::vector<double>& hold) {
+  return status_of_holds(hold.data(), static_cast<int>(hold.size()));
 }
 
 /// Names rates that are not finite.

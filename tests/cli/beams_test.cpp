@@ -141,15 +141,17 @@ TEST_F(Beams, RotationStiffensTheBeam) {
 }
 
 /// The ladder frame of the reference: two rails of eight segments, five cross members through a raised middle.
-std::string ladder_frame() {
+/// supports: of both rails.
+std::string ladder_frame(const std::string& supports = "") {
   std::string beams;
   for (const double side : {0.43, -0.43}) {
     std::string points;
     for (int i = 0; i <= 8; ++i)
       points += fmt::format(R"({}"{}": [{}, {}, 0])", i == 0 ? "" : ", ", fmt::format("p{}", i), 0.9 * i, side);
     beams += fmt::format(R"("{}": {{ "points": {{ {} }}, "segments": 8,
-        "section": {{ "shape": "general", "A": 0.0034, "Iy": 3.6e-5, "Iz": 1.9e-6, "J": 7.2e-8 }} }}, )",
-                         side > 0 ? "left" : "right", points);
+        "section": {{ "shape": "general", "A": 0.0034, "Iy": 3.6e-5, "Iz": 1.9e-6, "J": 7.2e-8 }},
+        "supports": {{ {} }} }}, )",
+                         side > 0 ? "left" : "right", points, supports);
   }
   for (int i = 0; i <= 8; i += 2)
     beams += fmt::format(
@@ -185,10 +187,20 @@ TEST_F(Beams, ALadderFrameTwistsAndSags) {
                              {"left_p8", "right_p8"});
   const double twist = (twisted["l"].get<double>() - twisted["r"].get<double>()) / 0.86;
   EXPECT_NEAR(100 * 0.86 / twist, 37254.82683439959, 0.005 * 37254.8);
+  std::string outputs = R"("rear": { "reaction": "on_left_p2", "quantity": "force", "axis": "z" },
+      "front": { "reaction": "on_right_p7", "quantity": "force", "axis": "z" })";
+  const std::pair<const char*, double> sags[] = {{"left_p0", -1.8222580946717615e-05},
+                                                 {"left_p4", -8.202469878686606e-05},
+                                                 {"right_p4", -8.202469878686118e-05},
+                                                 {"left_p8", 5.1982479752926735e-05},
+                                                 {"cross4_m", 0.12 - 8.3331983272955e-05}};
+  for (const auto& [point, sag] : sags)
+    outputs += fmt::format(R"(, "{0}": {{ "point": "{0}.{0}", "quantity": "position", "axis": "z" }})", point);
   const Json sagged =
-      frame("-9.81", R"(, "outputs": { "l": { "point": "left_p4.left_p4", "quantity": "position", "axis": "z" } })",
-            {"left_p2", "right_p2", "left_p7", "right_p7"});
-  EXPECT_NEAR(sagged["l"].get<double>(), -8.202469878686606e-05, 0.005 * 8.2e-5);
+      frame("-9.81", fmt::format(R"(, "outputs": {{ {} }})", outputs), {"left_p2", "right_p2", "left_p7", "right_p7"});
+  for (const auto& [point, sag] : sags) EXPECT_NEAR(sagged[point].get<double>(), sag, 1e-5 * 8.2e-5) << point;
+  EXPECT_NEAR(sagged["rear"].get<double>(), 1327.0607299459114, 1e-6 * 1327);
+  EXPECT_NEAR(sagged["front"].get<double>(), 884.7071532972608, 1e-6 * 885);
 }
 
 // Consistent masses and whole beams against nodes with half of their segments: the frame twists first, then bends.
@@ -201,6 +213,22 @@ TEST_F(Beams, ALadderFrameVibratesFreely) {
   EXPECT_NEAR(found.at(0), 11.4841231384, 0.007 * 11.48);
   EXPECT_NEAR(found.at(1), 24.6119187432, 0.007 * 24.6);
   EXPECT_NEAR(found.at(2), 31.7008118091, 0.007 * 31.7);
+}
+
+// Welded at the interface nodes of the reference's component modes. Further ones are of single cross members, which are
+// one or two elements there.
+TEST_F(Beams, ALadderFrameVibratesOnItsMounts) {
+  write("beam.json",
+        fmt::format(R"({{ "mbgen": 1, "name": "frame", "gravity": [0, 0, 0], "bodies": {{ "ground": {{}} }},
+        "beams": {{ {} }} }})",
+                    ladder_frame(R"("p2": { "body": "ground" }, "p7": { "body": "ground" })")));
+  const std::vector<double> found = frequencies();
+  EXPECT_NEAR(found.at(0), 26.9892156297, 0.005 * 27);
+  EXPECT_NEAR(found.at(1), 27.6036295012, 0.005 * 27.6);
+  double mass = 0;
+  const Json checked = json_of("check beam.json --json");
+  for (const Json& beam : checked["beams"]) mass += beam["mass"].get<double>();
+  EXPECT_NEAR(mass, 450.9210771137947, 1e-9 * 451);
 }
 
 TEST_F(Beams, CheckTellsTheirFrequencies) {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "compiler/model/element_access.hpp"
-#include "compiler/model/rope_places.hpp"
+#include "compiler/model/holds.hpp"
 #include "mbgen/solver/rosenbrock.hpp"
 #include "runtime/judges/cartesian.hpp"
 #include "tests/judges/cartesian_support.hpp"
@@ -170,7 +170,7 @@ std::string lost_place(const std::string& path, double x, double z, double prete
   EXPECT_EQ(generic.index, judged.index);
   if (generic.ok()) return "";
   EXPECT_EQ(generic.code, Code::rope_lost) << text(generic.code);
-  return generic.index < 0 ? "?" : rope_place_names(m.model)[static_cast<std::size_t>(generic.index)];
+  return generic.index < 0 ? "?" : hold_names(m.model)[static_cast<std::size_t>(generic.index)];
 }
 
 TEST(RopesInSpace, NameThePlaceWhereTheyAreLost) {

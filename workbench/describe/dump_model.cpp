@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "compiler/model/element_access.hpp"
 #include "workbench/describe/dump_outputs.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/describe/vehicle_text.hpp"
@@ -104,7 +105,7 @@ class ModelText : public ModelWords {
                        at.relative_to ? " relative to " + coordinate(*at.relative_to) : "");
   }
   std::string place(const OnBody& at) const { return "at " + attachment(at.at); }
-  std::string place(const AlongSpring& at) const { return "along spring " + model_.springs[at.spring].name; }
+  std::string place(const AlongSpring& at) const { return "along spring " + name_of(model_, at); }
   std::string place(const InRodEnd& at) const {
     return fmt::format("in rod {} at {}", model_.rods[at.rod].name, at.at_from ? "from" : "to");
   }
@@ -112,7 +113,7 @@ class ModelText : public ModelWords {
   std::string place(const ThroughPoints& at) const {
     std::vector<std::string> points;
     for (const Attachment& point : at.points) points.push_back(attachment(point));
-    return points.empty() ? "of the rope before" : fmt::format("through {}", fmt::join(points, ", "));
+    return points.empty() ? "of the span before" : fmt::format("through {}", fmt::join(points, ", "));
   }
 
   /// "  name: spring, from a.A to b.B, stiffness 1000, damping 20": fields that are there.

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "compiler/model/auxiliary_states.hpp"
-#include "compiler/model/rope_places.hpp"
+#include "compiler/model/holds.hpp"
 #include "compiler/text/user_error.hpp"
 #include "compiler/topology/poles.hpp"
 #include "workbench/describe/names.hpp"
@@ -63,8 +63,8 @@ std::vector<std::string> names_of(const Compilation& compilation, Subject subjec
       return names;
     case Subject::auxiliary_state:
       return auxiliary_state_names(model);
-    case Subject::rope_place:
-      return rope_place_names(model);
+    case Subject::hold:
+      return hold_names(model);
     case Subject::free_direction:
       return actuated_directions(model, topology, compilation.analysis);
   }

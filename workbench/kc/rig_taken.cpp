@@ -6,15 +6,16 @@
 namespace mbgen::kc {
 namespace {
 
-/// Removes frictions, with their pressing loads, which are the last sampled values, and the friction of contacts.
+/// Removes frictions, with their pressing loads, which are the last sampled values, and the friction of others.
 void take_frictions_away(Model& model) {
   std::size_t loads = 0;
   each_friction(model, [&loads](const FrictionLaw& friction) { loads += friction.load >= 0 ? 1 : 0; });
   each_kind([&]<class Kind>(KindOf<Kind> kind) {
     if constexpr (std::is_base_of_v<FrictionLaw, Kind>) kind.list(model).clear();
+    if constexpr (requires(Kind & element) { kind.smooth(element); })
+      for (Kind& element : kind.list(model)) kind.smooth(element);
   });
   model.sampled.resize(model.sampled.size() - loads);
-  for (SurfaceContact& contact : model.contacts) contact.friction = contact.stiction = Quantity{};
 }
 
 /// Quantities of tyres and frictions, which expressions may look at, are zero without them.

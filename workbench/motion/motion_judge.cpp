@@ -8,7 +8,9 @@
 #include "workbench/motion/input_bounds.hpp"
 #include "workbench/motion/load_watch.hpp"
 #include "workbench/motion/road_watch.hpp"
+#include "workbench/motion/step_error_watch.hpp"
 #include "workbench/motion/table_watch.hpp"
+#include "workbench/motion/touch_watch.hpp"
 
 namespace mbgen {
 namespace {
@@ -43,6 +45,8 @@ MotionJudge::MotionJudge(const MotionTask& task)
   watch_by(LoadWatch(task.compilation.model));
   watch_by(RoadWatch(task.compilation, task.start));
   watch_by(TableWatch(task.compilation, task.settings));
+  watch_by(TouchWatch(task.compilation, settings_));
+  watch_by(StepErrorWatch(task.compilation, relative_, task.integrator, settings_, inputs_));
 }
 
 void MotionJudge::add(const Sample& sample) {

@@ -201,7 +201,7 @@ std::optional<double> power_after_samples(const Engine& engine, double h, const 
 /// Whether a step that is too long may be the cause of a status.
 bool may_be_of_step(Status status) {
   return status.code == Code::not_a_number || status.code == Code::auxiliary_not_a_number ||
-         status.code == Code::loop_not_closed || status.code == Code::loop_singular || status.code == Code::rope_lost;
+         status.code == Code::loop_not_closed || status.code == Code::loop_singular || status.code == kNotHeld;
 }
 
 /// The longest of h/10, h/100 and h/1000 with which the motion continues from `state` over h seconds, 0 for none.

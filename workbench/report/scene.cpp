@@ -8,6 +8,7 @@
 #include <set>
 
 #include "compiler/model/vectors.hpp"
+#include "workbench/report/element_pictures.hpp"
 #include "workbench/report/places.hpp"
 
 namespace mbgen {
@@ -129,41 +130,6 @@ void add_tubes(const Body& body, const std::set<Vector3>& points, double size, J
   if (points.size() < 2) shapes.push_back({{"kind", "sphere"}, {"at", middle}, {"radius", 2 * kThickest * size}});
 }
 
-/// Spheres of contacts, each once, and the surfaces that they touch. A point is drawn as a sphere of radius `point`, m;
-/// a box where its edges are along the axes of its body.
-void add_contacts(const Model& model, double point, std::vector<Json>& shapes) {
-  std::set<std::pair<int, Vector3>> drawn;
-  const auto is_new = [&](const Attachment& at) { return drawn.emplace(at.body, place_of(model, at)).second; };
-  for (const SurfaceContact& contact : model.contacts) {
-    using enum SurfaceContact::Shape;
-    const Attachment &at = contact.from, &to = contact.to;
-    if (is_new(at))
-      shapes[at.body].push_back({{"kind", "sphere"},
-                                 {"at", place_of(model, at)},
-                                 {"radius", contact.radius.value > 0 ? contact.radius.value : point}});
-    if (contact.shape == plane || contact.shape == road || !is_new(to)) continue;
-    const Vector3 centre = place_of(model, to);
-    const auto along = [&](std::size_t k) {
-      const Vector3 axis{contact.axes[k], contact.axes[3 + k], contact.axes[6 + k]};
-      return to_body_axes(model.bodies[to.body].pose, axis);
-    };
-    if (contact.shape == box) {
-      if (std::abs(along(0)[0]) < 1 || std::abs(along(2)[2]) < 1) continue;
-      shapes[to.body].push_back({{"kind", "box"}, {"at", centre}, {"size", values(contact.size)}});
-    } else if (contact.shape == sphere) {
-      shapes[to.body].push_back({{"kind", "sphere"}, {"at", centre}, {"radius", contact.other_radius.value}});
-    } else if (contact.length) {
-      Vector3 low = centre, high = centre;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double half = contact.length->value / 2 * along(2)[i];
-        low[i] -= half, high[i] += half;
-      }
-      shapes[to.body].push_back(
-          {{"kind", "tube"}, {"from", low}, {"to", high}, {"radius", contact.other_radius.value}});
-    }
-  }
-}
-
 Json bodies_json(const Model& model, double size) {
   std::vector<std::set<Vector3>> points(model.bodies.size());
   for (const Attachment& at : attachments(model)) points[at.body].insert(place_of(model, at));
@@ -179,7 +145,7 @@ Json bodies_json(const Model& model, double size) {
       add_tubes(model.bodies[b], points[b], size, shapes[b]);
     }
   }
-  add_contacts(model, kThickest * size, shapes);
+  add_element_shapes(model, kThickest * size, shapes);
   Json bodies = Json::array();
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     bodies.push_back({{"name", model.bodies[b].name}, {"shapes", shapes[b]}});
@@ -219,36 +185,6 @@ LinkLook look_of(const Element& element, double length, double size) {
   }
 }
 
-/// Links of a rope: straight between tangent points, and along its wraps, as they lie on the bodies that carry the
-/// wheels at the reference.
-void add_ropes(const Model& model, double size, Json& links) {
-  constexpr double kStep = 0.4;  // rad of a wrap by one link
-  for (const Rope& rope : model.ropes) {
-    const auto end = [&](const RopeStation& station, const Vector3& global) -> Json {
-      return {station.carrier, to_local(model.bodies[station.carrier].pose, global)};
-    };
-    const auto add = [&](const Json& from, const Json& to) {
-      links.push_back(
-          {{"name", rope.name}, {"kind", "rope"}, {"from", from}, {"to", to}, {"radius", kDamper / 3 * size}});
-    };
-    for (const RopeLeg& leg : rope.path.empty() ? std::vector<RopeLeg>() : legs_of(rope))
-      add(end(rope.path[leg.from], rope.path[leg.from].parts), end(rope.path[leg.to], rope.path[leg.to].meets));
-    for (const RopeStation& station : rope.path) {
-      if (station.kind != RopeStation::Kind::pulley) continue;
-      const Vector3 centre = reference_position(model, station.at);
-      const int steps = static_cast<int>(std::ceil(std::fmod(station.wrap, 2 * 3.14159265358979323846) / kStep));
-      const auto at = [&](int k) {
-        const double turn = station.sense * station.wrap * k / std::max(steps, 1);
-        Vector3 arm{station.meets[0] - centre[0], station.meets[1] - centre[1], station.meets[2] - centre[2]};
-        const Vector3 side = cross(station.axis, arm);
-        for (std::size_t i = 0; i < 3; ++i) arm[i] = centre[i] + std::cos(turn) * arm[i] + std::sin(turn) * side[i];
-        return end(station, arm);
-      };
-      for (int k = 0; k < steps; ++k) add(at(k), at(k + 1));
-    }
-  }
-}
-
 Json links_json(const Model& model, double size) {
   Json links = Json::array();
   std::set<std::array<int, 4>> taken;
@@ -273,7 +209,7 @@ Json links_json(const Model& model, double size) {
   for (const Rod& rod : model.rods) add(rod, {"rod", kRod});
   add_elements(true);
   add_elements(false);
-  add_ropes(model, size, links);
+  add_element_lines(model, kDamper / 3 * size, links);
   return links;
 }
 
@@ -295,16 +231,6 @@ Json mark_json(const Model& model, const Element& element, const Attachment& at,
           {"radius", radius}};
 }
 
-/// A pad at an end: of a stop against compression at `from`, else at `to`, towards the other end or along the axis.
-Json pad_json(const Model& model, const BumpStop& stop, double size) {
-  const bool is_rebound = stop.side == BumpStop::Side::extension;
-  const Attachment &at = is_rebound ? stop.to : stop.from, &other = is_rebound ? stop.from : stop.to;
-  Vector3 way = stop.axis.value_or(way_between(model, at, other));
-  if (is_rebound && stop.axis) way = {-way[0], -way[1], -way[2]};
-  if (distance({}, way) == 0) way = {0, 0, 1};
-  return mark_json(model, stop, at, to_body_axes(model.bodies[at.body].pose, way), kStop * size);
-}
-
 /// Adds marks of elements with frames, then of pads.
 void add_element_marks(const Model& model, double size, Json& marks) {
   each_element(model, [&](const auto& element) {
@@ -318,12 +244,16 @@ void add_element_marks(const Model& model, double size, Json& marks) {
     marks.push_back(mark_json(model, element, frames->from, axes[2], kJoint * size));
     marks.back()["axes"] = axes;
   });
-  each_element(model, [&](const auto& element) {
-    if constexpr (requires { pad_json(model, element, size); })
-      if (!std::holds_alternative<OnCoordinate>(connection_of(element))) {
-        marks.push_back(pad_json(model, element, size));
-        marks.back()["mark"] = "pad";
-      }
+  each_element(model, [&]<class Element>(const Element& element) {
+    if constexpr (requires { KindOf<Element>::pad(element); }) {
+      if (std::holds_alternative<OnCoordinate>(connection_of(element))) return;
+      const Pad pad = KindOf<Element>::pad(element);
+      Vector3 way = pad.axis.value_or(way_between(model, pad.at, pad.other));
+      if (distance({}, way) == 0) way = {0, 0, 1};
+      const Vector3 axis = to_body_axes(model.bodies[pad.at.body].pose, way);
+      marks.push_back(mark_json(model, element, pad.at, axis, kStop * size));
+      marks.back()["mark"] = "pad";
+    }
   });
 }
 

@@ -106,8 +106,7 @@ void detail_bushing(const ForceWork<T>& work, const SixFreedoms<T>& at, const Bu
 template <class T>
 void apply(ForceWork<T>& work, const Bushing& bushing) {
   const std::vector<T>& x = work.system.x;
-  std::size_t next =
-      static_cast<std::size_t>(first_extension(work.system.model, index_in(work.system.model.bushings, bushing)));
+  std::size_t next = state_of_element(work.system.model, bushing);
   const SixFreedoms<T> at = freedoms_of(work, bushing);
   const BushingForces<T> law = bushing_law(work, bushing, at.position, at.rate, x.data() + next);
   for (const T& rate : law.extension_rates) work.forces.xd[next++] = rate;
@@ -172,7 +171,7 @@ ElementTangents<T> tangents_of(ForceWork<T>& work, const Bushing& bushing, int f
 template <class T>
 void add_tangents(ForceWork<T>& work, const Bushing& bushing, std::vector<ElementTangents<T>>& elements) {
   const Model& model = work.system.model;
-  elements.push_back(tangents_of(work, bushing, first_extension(model, index_in(model.bushings, bushing))));
+  elements.push_back(tangents_of(work, bushing, static_cast<int>(state_of_element(model, bushing))));
 }
 
 /// Including the springs of Maxwell branches.
@@ -180,7 +179,7 @@ template <class T>
 T stored_energy(const EnergyWork<T>& work, const Bushing& bushing) {
   const System<T>& system = work.system;
   const BushingState<T>& state = state_of(system, work.forces, bushing);
-  auto branch = static_cast<std::size_t>(first_extension(system.model, index_in(system.model.bushings, bushing)));
+  auto branch = state_of_element(system.model, bushing);
   const auto deflection = [&](int i) { return component(i < 3 ? state.deflection : state.rotation, i % 3); };
   T energy(0.0);
   for (int i = 0; i < kBushingFreedoms; ++i) {

@@ -198,15 +198,15 @@ std::array<T, 2> bristles_of(const ForceWork<T>& work, const SurfaceContact& con
 inline std::optional<BristleHold> bristle_hold(const ForceWork<double>& work, const SurfaceContact& contact) {
   if (!contact.has_friction()) return {};
   const Model& model = work.system.model;
-  return BristleHold{static_cast<std::size_t>(contact_state(model, index_in(model.contacts, contact))), 2,
-                     work.value(contact.bristle), contact_motion(work, contact).penetration > 0};
+  return BristleHold{state_of_element(model, contact), 2, work.value(contact.bristle),
+                     contact_motion(work, contact).penetration > 0};
 }
 
 template <class T>
 void apply(ForceWork<T>& work, const SurfaceContact& contact) {
   const System<T>& system = work.system;
   const Model& model = system.model;
-  const auto first = static_cast<std::size_t>(contact_state(model, index_in(model.contacts, contact)));
+  const auto first = state_of_element(model, contact);
   const ContactMotion<T> m = contact_motion(work, contact);
   detail_contact_motion(work, m, contact.name);
   const auto [b1, b2] = bristles_of(work, contact, first);
@@ -240,7 +240,7 @@ template <class T>
 void add_tangents(ForceWork<T>& work, const SurfaceContact& contact, std::vector<ElementTangents<T>>& elements) {
   using S = Slope<T>;
   const Model& model = work.system.model;
-  const int first = contact_state(model, index_in(model.contacts, contact));
+  const int first = static_cast<int>(state_of_element(model, contact));
   const ContactMotion<T> m = contact_motion(work, contact);
   LawElement<T> element;
   const auto add = [&](const Vector<T>& along, const T& position, const T& rate) {

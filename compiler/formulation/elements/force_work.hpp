@@ -56,7 +56,7 @@ struct AppliedForces {
   std::vector<Action<T>> actions;             ///< terms of the sum `wrench`, and actions on bodies fixed to ground
   std::vector<JointAction<T>> joint_actions;  ///< terms of the sum `joint`
   std::vector<T> xd;                          ///< rates of the auxiliary states
-  std::vector<T> hold;  ///< per place of a rope, see rope_place_names: negative, or NaN, where it does not hold
+  std::vector<T> hold;  ///< per place of hold_names: negative, or NaN, where the element does not hold
   typename StatesOf<T, ElementKinds>::type states;  ///< per kind as the model's list, see states_of
   MotionPoint about = MotionPoint::frame_origin;    ///< reference point of wrenches on a body
 };

@@ -122,7 +122,7 @@ T friction_force_at(ForceWork<T>& work, const FrictionLaw& friction, const std::
 template <class T>
 void apply(ForceWork<T>& work, const JointFriction& friction) {
   const T rate = sliding_rate(work.system, work.k, work.v, friction);
-  const T force = friction_force_at(work, friction, friction.name, rate, bristle_state(work.system.model, friction));
+  const T force = friction_force_at(work, friction, friction.name, rate, state_of_element(work.system.model, friction));
   work.system.annotator.name(force, "force_", friction.name);
   add_joint_force(work, friction.joint, force);
   if (friction.relative_to) add_joint_force(work, *friction.relative_to, -force);
@@ -133,7 +133,7 @@ void apply(ForceWork<T>& work, const SpringFriction& friction) {
   const Model& model = work.system.model;
   const PointSpring& spring = model.springs[friction.spring];
   const AlongLine<T> at(work, spring.from, spring.to, friction.spring);
-  T tension = -friction_force_at(work, friction, friction.name, at.rate, bristle_state(model, friction));
+  T tension = -friction_force_at(work, friction, friction.name, at.rate, state_of_element(model, friction));
   work.system.annotator.name(tension, "force_", friction.name);
   at.resist(work, tension);
   SpringState<T>& total = states_of<PointSpring>(work.forces)[friction.spring];
@@ -218,7 +218,7 @@ void add_tangents(ForceWork<T>& work, const JointFriction& friction, std::vector
                                : tree_local(system, friction.joint);
   elements.push_back(friction_element(work, friction, friction.name, std::move(row),
                                       sliding_rate(system, work.k, work.v, friction),
-                                      static_cast<int>(bristle_state(system.model, friction))));
+                                      static_cast<int>(state_of_element(system.model, friction))));
 }
 
 template <class T>
@@ -227,7 +227,7 @@ void add_tangents(ForceWork<T>& work, const SpringFriction& friction, std::vecto
   const PointSpring& spring = model.springs[friction.spring];
   const AlongLine<T> line(work, spring.from, spring.to, friction.spring);
   elements.push_back(friction_element(work, friction, friction.name, line.row(work), line.rate,
-                                      static_cast<int>(bristle_state(model, friction))));
+                                      static_cast<int>(state_of_element(model, friction))));
 }
 
 }  // namespace detail

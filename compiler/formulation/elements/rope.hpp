@@ -222,7 +222,7 @@ T on_its_pulleys(const RopeSpan<T>& span, const T& tension) {
   return select(*span.least, tension, select(-tension, tension, T(sqrt(*span.least))));
 }
 
-/// Appends how the places of a rope hold, see rope_place_names. tension: of its spans.
+/// Appends how the places of a rope hold, see hold_names. tension: of its spans.
 template <class T>
 void add_holds(ForceWork<T>& work, const RopeAtWork<T>& at, const RopeNumbers<T>& numbers,
                const std::vector<T>& stretch, const std::vector<T>& tension) {
@@ -244,7 +244,7 @@ void apply(ForceWork<T>& work, const Rope& rope) {
   if (rope.path.empty()) return;  // its first span acts
   const auto& list = work.system.model.ropes;
   const std::size_t index = index_in(list, rope);
-  const auto state = static_cast<std::size_t>(first_slip(work.system.model, index));
+  const auto state = state_of_element(work.system.model, rope);
   const RopeAtWork<T> at = rope_at_work(work, rope);
   const T* slips = work.system.x.data() + state;
   const RopeNumbers<T> numbers = rope_numbers(work, at, slips);
@@ -284,7 +284,7 @@ template <class T>
 void add_tangents(ForceWork<T>& work, const Rope& rope, std::vector<ElementTangents<T>>& elements) {
   using S = Slope<T>;
   if (rope.path.empty()) return;
-  const int state = first_slip(work.system.model, index_in(work.system.model.ropes, rope));
+  const int state = static_cast<int>(state_of_element(work.system.model, rope));
   const RopeAtWork<T> at = rope_at_work(work, rope);
   const RopeNumbers<T> numbers = rope_numbers(work, at, work.system.x.data() + state);
   LawElement<T> element;

@@ -13,10 +13,10 @@ struct Actuator {
   Where where;
   std::optional<CoordinateReference> joint, relative_to;  ///< without `joint` it is between two points
   Attachment from, to;
-  Quantity gear = 1.0;  ///< speed of the motor over rate of the coordinate, or of the length
-  double weight = 1;    ///< of its squared force, where other actuators move the same directions
+  Quantity gear = 1.0;          ///< speed of the motor over rate of the coordinate, or of the length
+  double weight = 1;            ///< of its squared force, where other actuators move the same directions
   std::optional<double> limit;  ///< of the motor's force, which is told beyond it and never clipped: N or N m
-  int input = -1;       ///< index into Model::inputs of its force, N or N m; -1: none
+  int input = -1;               ///< index into Model::inputs of its force, N or N m; -1: none
 };
 
 template <>

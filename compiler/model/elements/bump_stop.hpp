@@ -59,6 +59,25 @@ struct KindOf<BumpStop> : KindDefaults {
     if (element.axis) return AlongDirection{element.from, element.to, *element.axis};
     return BetweenPoints{element.from, element.to};
   }
+  template <class Words>
+  static std::string sentence(const Words& words, const BumpStop& element) {
+    const std::string clearance = words.number(element.clearance);
+    const bool is_on_this_side = element.side == BumpStop::Side::above || element.side == BumpStop::Side::compression;
+    if (element.is_on_joint())
+      return element.name + " pushes back where " + words.coordinate(element.joint, element.relative_to) + " is " +
+             (is_on_this_side ? "above " : "below minus ") + clearance + " " + words.unit(element.joint) + ".";
+    return element.name + " pushes " + words.body(element.from) + " and " + words.body(element.to) +
+           (is_on_this_side ? " apart" : " together") + " where their ends have come " + clearance + " m " +
+           (is_on_this_side ? "nearer" : "farther apart") + (element.axis ? ", along its axis," : "") +
+           " than at the reference.";
+  }
+  /// Of a stop against compression at `from`, else at `to`.
+  static Pad pad(const BumpStop& element) {
+    if (element.side != BumpStop::Side::extension) return {element.from, element.to, element.axis};
+    std::optional<Vector3> back = element.axis;
+    if (back) back = {-(*back)[0], -(*back)[1], -(*back)[2]};
+    return {element.to, element.from, back};
+  }
   static constexpr std::array bounds = {FieldBound{"stiffness", QuantityBound::not_negative},
                                         FieldBound{"damping", QuantityBound::not_negative}};
   template <class Use>

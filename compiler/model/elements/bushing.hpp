@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compiler/model/elements/kind.hpp"
 #include "compiler/model/elements/law.hpp"
@@ -108,6 +109,30 @@ struct KindOf<Bushing> : KindDefaults {
     BetweenFrames frames{element.from, element.to, element.axes, {}};
     for (int i = 0; i < kBushingFreedoms; ++i) frames.acts[static_cast<std::size_t>(i)] = bushing_acts(element, i);
     return frames;
+  }
+  template <class Words>
+  static std::string sentence(const Words& words, const Bushing& element) {
+    std::vector<std::string> acting, branches;
+    for (int i = 0; i < kBushingFreedoms; ++i)
+      if (bushing_acts(element, i)) acting.emplace_back(kBushingFreedomNames[static_cast<std::size_t>(i)]);
+    states(element, [&](const HiddenState& state) { branches.push_back("x." + element.name + state.suffix); });
+    const std::string what =
+        element.name + " is a bushing between " + words.body(element.from) + " and " + words.body(element.to);
+    if (acting.empty()) return what + " without any force.";
+    const std::string text = what + "; it acts in " + words.list(acting) + ".";
+    return branches.empty() ? text
+                            : text + " Its Maxwell " + (branches.size() == 1 ? "branch has" : "branches have") +
+                                  " the " + words.states(branches) + ".";
+  }
+  static constexpr StateNature nature = StateNature::relaxing;
+  /// Extensions of the springs of its Maxwell branches.
+  template <class Use>
+  static void states(const Bushing& element, const Use& use) {
+    constexpr double kExtension = 1e-3;  // m or rad
+    for (int i = 0; i < kBushingFreedoms; ++i)
+      if (has_maxwell_branch(element, i))
+        use(HiddenState{"_" + std::string(kBushingFreedomNames[static_cast<std::size_t>(i)]), kExtension,
+                        i < 3 ? "m" : "rad"});
   }
   static constexpr std::array bounds = {FieldBound{"maxwell_stiffness", QuantityBound::not_negative},
                                         FieldBound{"maxwell_time", QuantityBound::positive}};

@@ -73,10 +73,44 @@ struct KindOf<SurfaceContact> : KindDefaults {
     if (element.shape == SurfaceContact::Shape::road) return OnBody{element.from};
     return BetweenPoints{element.from, element.to};
   }
+  template <class Words>
+  static std::string sentence(const Words& words, const SurfaceContact& element) {
+    const bool on_road = element.shape == SurfaceContact::Shape::road;
+    const bool is_point = element.radius.expression < 0 && element.radius.value == 0;
+    const std::string surface = on_road ? "the road " + words.road(element.road)
+                                        : std::string("a ") + kContactShapes[static_cast<std::size_t>(element.shape)] +
+                                              " of " + words.body(element.to);
+    std::string text = element.name + " pushes " + words.body(element.from) + " away from " + surface + " where " +
+                       (is_point ? "a point" : "a sphere of radius " + words.number(element.radius) + " m") +
+                       " of it goes in; it never pulls.";
+    if (element.has_friction())
+      text += " It sticks and slides with a friction of " + words.number(element.friction) +
+              ", by two bristles whose deflections are the states x." + element.name + "_bristle1 and x." +
+              element.name + "_bristle2.";
+    return text;
+  }
+  /// The sphere, and the surface that it touches.
+  template <class Canvas>
+  static void draw_shapes(Canvas& canvas, const SurfaceContact& element) {
+    using enum SurfaceContact::Shape;
+    canvas.ball(element.from, element.radius.value);
+    if (element.shape == box) canvas.box(element.to, element.axes, element.size);
+    if (element.shape == sphere) canvas.ball(element.to, element.other_radius.value);
+    if (element.shape == cylinder)
+      canvas.cylinder(element.to, element.axes, element.length, element.other_radius.value);
+  }
+  static constexpr StateNature nature = StateNature::bristle;
+  template <class Use>
+  static void states(const SurfaceContact& element, const Use& use) {
+    if (!element.has_friction()) return;
+    use(HiddenState{"_bristle1"});
+    use(HiddenState{"_bristle2"});
+  }
   static void silence(SurfaceContact& element) {
     element.push.stiffness = Quantity{};
-    element.friction = element.stiction = Quantity{};
+    smooth(element);
   }
+  static void smooth(SurfaceContact& element) { element.friction = element.stiction = Quantity{}; }
   static constexpr std::array bounds = {FieldBound{"radius", QuantityBound::not_negative},
                                         FieldBound{"to_radius", QuantityBound::positive},
                                         FieldBound{"length", QuantityBound::positive},

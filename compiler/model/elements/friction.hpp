@@ -18,15 +18,19 @@ struct JointFriction : FrictionLaw {
 };
 
 template <>
-struct KindOf<JointFriction> : KindDefaults {
+struct KindOf<JointFriction> : FrictionDefaults {
   using Element = JointFriction;
-  static constexpr const char *key = "friction", *section = "frictions", *words = "friction";
+  static constexpr const char* key = "friction";
   template <class SomeModel>
   static auto& list(SomeModel& model) {
     return model.frictions;
   }
   static Connection connection(const JointFriction& element) {
     return OnCoordinate{element.joint, element.relative_to};
+  }
+  template <class Words>
+  static std::string sentence(const Words& words, const JointFriction& element) {
+    return sticks(element.name, "on " + words.coordinate(element.joint, element.relative_to), element);
   }
   static constexpr auto& bounds = kFrictionBounds;
   template <class Use>
@@ -43,14 +47,18 @@ struct SpringFriction : FrictionLaw {
 };
 
 template <>
-struct KindOf<SpringFriction> : KindDefaults {
+struct KindOf<SpringFriction> : FrictionDefaults {
   using Element = SpringFriction;
-  static constexpr const char *key = "spring_friction", *section = "frictions", *words = "friction";
+  static constexpr const char* key = "spring_friction";
   template <class SomeModel>
   static auto& list(SomeModel& model) {
     return model.spring_frictions;
   }
   static Connection connection(const SpringFriction& element) { return AlongSpring{element.spring}; }
+  template <class Words>
+  static std::string sentence(const Words& words, const SpringFriction& element) {
+    return sticks(element.name, "along " + words.along({element.spring}), element);
+  }
   static constexpr auto& bounds = kFrictionBounds;
   template <class Use>
   static void fields(const SpringFriction& element, const Use& use) {
@@ -67,9 +75,9 @@ struct RodFriction : FrictionLaw {
 };
 
 template <>
-struct KindOf<RodFriction> : KindDefaults {
+struct KindOf<RodFriction> : FrictionDefaults {
   using Element = RodFriction;
-  static constexpr const char *key = "rod_friction", *section = "frictions", *words = "friction";
+  static constexpr const char* key = "rod_friction";
   template <class SomeModel>
   static auto& list(SomeModel& model) {
     return model.rod_frictions;

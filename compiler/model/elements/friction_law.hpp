@@ -49,6 +49,23 @@ void use_friction_fields(const FrictionLaw& law, const Use& use) {
   use("elastic", law.elastic);
 }
 
+/// Members of all kinds of frictions.
+struct FrictionDefaults : KindDefaults {
+  static constexpr const char *section = "frictions", *words = "friction";
+  static constexpr StateNature nature = StateNature::bristle;
+  template <class Use>
+  static void states(const FrictionLaw& law, const Use& use) {
+    if (law.has_bristle()) use(HiddenState{.suffix = "_bristle"});
+  }
+  /// place: "on knee", "along leaf".
+  static std::string sticks(const std::string& name, const std::string& place, const FrictionLaw& law) {
+    if (!law.has_bristle()) return "";
+    return name + " sticks " + place + ", by bristles (" +
+           (law.kind == FrictionLaw::Kind::lugre ? "LuGre, which creeps under loads that vibrate" : "elasto-plastic") +
+           ") whose deflection is the state x." + name + "_bristle.";
+  }
+};
+
 /// Bounds of the law's fields.
 inline constexpr std::array kFrictionBounds = {
     FieldBound{"coulomb", QuantityBound::not_negative},       FieldBound{"stiction", QuantityBound::not_negative},

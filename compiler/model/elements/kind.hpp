@@ -81,6 +81,17 @@ struct ElementQuantity {
   const char* unit_of_turn = unit;  ///< for an element on a rotational coordinate
 };
 
+/// An auxiliary state of an element.
+struct HiddenState {
+  std::string suffix;          ///< of its name, behind the name of the element
+  double size = 1e-4;          ///< typical magnitude
+  const char* unit = nullptr;  ///< none: of the coordinate that the element acts on, of others m
+};
+
+/// Auxiliary states at rest: slips and bristles keep any value, relaxing ones have the values at which their rates are
+/// zero.
+enum class StateNature { slip, bristle, relaxing };
+
 /// Bound of a number, see mbgen/bounds.hpp.
 enum class QuantityBound { positive, not_negative, share };
 
@@ -94,6 +105,12 @@ struct FieldBound {
 /// Elements without ends are not drawn.
 enum class Drawing { link, pad, frame };
 
+/// A pad at `at`, towards `other` or along an axis (unit, GLOBAL axes at the reference).
+struct Pad {
+  Attachment at, other;
+  std::optional<Vector3> axis;
+};
+
 /// The last quantity in the table of a kind with energy.
 constexpr const char* kPotentialEnergy = "potential_energy";
 
@@ -103,8 +120,18 @@ constexpr const char* kPotentialEnergy = "potential_energy";
 ///   connection(element)   where it acts
 ///   fields(element, use)  calls use(name, value) for its quantities, laws, tables and force expressions, and for
 ///                         numbers, words and directions that distinguish it
-/// and for a kind that a rig can remove
+/// for a kind in StatefulKinds
+///   nature, states(element, use)   calls use(HiddenState) for its auxiliary states
+/// for a kind that may lose its way
+///   holds(model, index, names)     appends the names of the places of an element, at each of which it must hold
+/// for a kind that a rig can remove
 ///   silence(element)      sets its force to zero
+///   smooth(element)       takes its friction away, in a kind with other forces beside it
+/// for people
+///   sentence(words, element)       what it does, with its states; "" for nothing. words: see explained_elements.cpp
+///   pad(element)                   where a pad is drawn
+///   draw_lines, draw_shapes(canvas, element)   lines between bodies, shapes on bodies. canvas: see
+///   element_pictures.cpp
 template <class Kind>
 struct KindOf;
 

@@ -143,6 +143,61 @@ struct KindOf<Rope> : KindDefaults {
       if (station.has_wheel()) use(place + "angle", station.angle);
     }
   }
+  /// One for all spans.
+  template <class Words>
+  static std::string sentence(const Words& words, const Rope& element) {
+    static constexpr const char* kKinds[] = {"", "a pulley on ", "a drum on ", "a cylinder on ", "a sphere on "};
+    static constexpr const char* kContacts[] = {"", " that grips", " with friction"};
+    if (element.path.empty()) return "";
+    std::vector<std::string> stations, slips;
+    for (const RopeStation& station : element.path)
+      stations.push_back(kKinds[static_cast<int>(station.kind)] + words.body(station.at) +
+                         kContacts[static_cast<int>(station.contact)]);
+    states(element, [&](const HiddenState& state) { slips.push_back("x." + element.name + state.suffix); });
+    std::string text = element.name + (element.closed ? " is a belt over " : " is a rope over ") + words.list(stations);
+    if (element.spans > 1) text += ", with " + std::to_string(element.spans) + " tensions";
+    text += ".";
+    if (!slips.empty())
+      text += std::string(" Its slip in grooves with friction ") + (slips.size() == 1 ? "is" : "are") + " the " +
+              words.states(slips) + ".";
+    return text;
+  }
+  /// Straight between tangent points, and along the wraps on pulleys.
+  template <class Canvas>
+  static void draw_lines(Canvas& canvas, const Rope& element) {
+    if (element.path.empty()) return;
+    for (const RopeLeg& leg : legs_of(element)) {
+      const RopeStation &from = element.path[leg.from], &to = element.path[leg.to];
+      canvas.line(from.carrier, from.parts, to.carrier, to.meets);
+    }
+    for (const RopeStation& station : element.path)
+      if (station.kind == RopeStation::Kind::pulley)
+        canvas.arc(station.carrier, station.at, station.axis, station.meets, station.sense * station.wrap);
+  }
+  static constexpr StateNature nature = StateNature::slip;
+  template <class Use>
+  static void states(const Rope& element, const Use& use) {
+    constexpr double kSlip = 1e-3;  // m: typical slip in a groove
+    for (int i = 1; i <= rubbing_grooves(element); ++i) use(HiddenState{"_slip" + std::to_string(i), kSlip});
+  }
+  /// By its first span: its legs, "hoist from drum.O to load.O", which may have no way; its pulleys, "hoist at load.O",
+  /// off which it may lift; its spans, which may be wound up.
+  template <class SomeModel>
+  static void holds(const SomeModel& model, std::size_t first, std::vector<std::string>& names) {
+    const Rope& rope = model.ropes[first];
+    if (rope.path.empty()) return;
+    const std::string own = rope.spans > 1 ? rope.name.substr(0, rope.name.size() - 2) : rope.name;  // without _1
+    const auto at = [&](std::size_t station) {
+      const Attachment& place = rope.path[station].at;
+      const Body& body = model.bodies[static_cast<std::size_t>(place.body)];
+      return body.name + "." + body.points[static_cast<std::size_t>(place.point)].name;
+    };
+    const std::vector<RopeLeg> legs = legs_of(rope);
+    for (const RopeLeg& leg : legs) names.push_back(own + " from " + at(leg.from) + " to " + at(leg.to));
+    for (const RopeLeg& leg : legs)
+      if (rope.path[leg.to].kind == RopeStation::Kind::pulley) names.push_back(own + " at " + at(leg.to));
+    for (int g = 0; g < rope.spans; ++g) names.push_back(model.ropes[first + static_cast<std::size_t>(g)].name);
+  }
   /// Removal by a rig: almost no stiffness, since speeds of slip are ratios of stiffnesses, and no pretension.
   static void silence(Rope& element) {
     constexpr double kAlmostNone = 1e-9;  // N/m

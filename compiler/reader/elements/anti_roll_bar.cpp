@@ -221,7 +221,7 @@ void compose_bar(Reader& reader, const Entry& bar, ComposedParts& made) {
   spring.add_text("relative_to", bar.written + "_right", bar.place);
   spring.add("stiffness", fields.stiffness ? *fields.stiffness : Composed::number_at(bar.place, stiffness));
   if (fields.damping) spring.add("damping", *fields.damping);
-  add_composed(reader, made.joint_springs, bar, "", std::move(spring));
+  add_composed(reader, made.of<JointSpring>(), bar, "", std::move(spring));
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // Tables of fields: anti-roll bars.
 #include <array>
 
-#include "compiler/reader/raw.hpp"
+#include "compiler/reader/elements/anti_roll_bar.hpp"
+#include "compiler/reader/elements/sections.hpp"
 #include "compiler/reader/reader.hpp"
 
 namespace mbgen::reading {
@@ -86,6 +87,20 @@ std::span<const Field<BarSectionFields>> fields<BarSectionFields>() {
       field<F, &F::shear_modulus>(number_of_bar("shear_modulus", "default: steel", "Pa", Bound::positive, kSteel)),
   };
   return table;
+}
+
+ComposedSection section_of(Composition<AntiRollBarFields>) {
+  return {
+      "anti_roll_bars", "anti_roll_bar", "anti-roll bars: two half bars, torsion between them, droplinks",
+      [] {
+        return std::vector<ObjectKind>{
+            kind_of<AntiRollBarFields>("anti_roll_bar",
+                                       "an anti-roll bar by three points of its left side; exactly one of stiffness, "
+                                       "link_stiffness and section",
+                                       {"stiffness", "link_stiffness", "section"}),
+            kind_of<BarSectionFields>("bar_section", "round cross-section of an anti-roll bar")};
+      },
+      compose_bars};
 }
 
 }  // namespace mbgen::reading

@@ -227,7 +227,7 @@ void add_beam_bushing(Reader& reader, const BeamParts& beam, std::size_t first, 
     if (beam.fields.damping > 0) freedom.add_number("damping", beam.fields.damping * stiffness);
     bushing.add(name, std::move(freedom.object));
   }
-  add_composed(reader, made.bushings, beam.entry, beam.nodes[first].suffix, std::move(bushing));
+  add_composed(reader, made.of<Bushing>(), beam.entry, beam.nodes[first].suffix, std::move(bushing));
 }
 
 /// Both halves of a segment as cylinders of the radius that a round section with these second moments has.

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "compiler/reader/elements/beam.hpp"
+#include "compiler/reader/elements/sections.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -114,6 +115,18 @@ std::span<const Field<BeamSupportFields>> fields<BeamSupportFields>() {
       field<F, &F::axis>({.name = "axis", .shape = Shape::axis, .doc = "of a hinge"}),
   };
   return table;
+}
+
+ComposedSection section_of(Composition<BeamFields>) {
+  return {"beams", "beam", "beams that bend and twist: bodies with elastic connections",
+          [] {
+            return std::vector<ObjectKind>{
+                kind_of<BeamFields>("beam", "a beam through points, of segments that bend and twist"),
+                kind_of<BeamSectionFields>("beam_section", "cross-section of a beam"),
+                kind_of<BeamMaterial>("beam_material", "material of a beam"),
+                kind_of<BeamSupportFields>("beam_support", "joint of a beam's point with a body")};
+          },
+          compose_beams};
 }
 
 }  // namespace mbgen::reading

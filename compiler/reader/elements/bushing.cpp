@@ -25,6 +25,10 @@ template <>
 std::span<const Field<BushingFields>> fields<BushingFields>();
 template <>
 std::span<const Field<BushingFreedom>> fields<BushingFreedom>();
+
+/// Notes on bushings with negative stiffness or damping (bushing_notes.cpp).
+void note_bushings(Reader& reader);
+
 namespace {
 
 constexpr std::array<std::string_view, 2> kFreedomLocals = {"deflection", "rate"};

@@ -5,13 +5,20 @@
 #include <string>
 #include <string_view>
 
+#include "compiler/model/element_kinds.hpp"
 #include "compiler/reader/reader.hpp"
 
 namespace mbgen::reading {
 
 /// Entries of other sections, their values in Reader::composed.
 struct ComposedParts {
-  Entries bodies, joints, rods, couplings, joint_springs, bushings, shapes;
+  Entries bodies, joints, rods, couplings, shapes;
+  std::array<Entries, ElementKinds::count> elements;  ///< by the kind that leads its section
+
+  template <class Kind>
+  Entries& of() {
+    return elements[kKindIndex<Kind>];
+  }
 };
 
 /// The object of an element, under construction. place: of the element that it is a part of.

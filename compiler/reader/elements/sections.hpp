@@ -2,6 +2,7 @@
 // Sections of elements in the model format: one source per section, with the table of its fields and their reading.
 
 #include "compiler/model/element_access.hpp"
+#include "compiler/reader/elements/composed.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
 
@@ -21,6 +22,30 @@ template <class Kind>
 struct Leader {
   friend ElementSection section_of(Leader);
 };
+
+/// A section of elements that stand for others.
+struct ComposedSection {
+  std::string_view name, key, doc;
+  std::vector<ObjectKind> (*kinds)();  ///< of its objects, named `key`, and their inner objects
+  void (*compose)(Reader&, const Entries& entries, ComposedParts& made);
+};
+
+/// Tag of a composition by its fields. The source of its table defines section_of(Composition<Fields>).
+template <class Fields>
+struct Composition {
+  friend ComposedSection section_of(Composition);
+};
+
+template <class Use, class... Fields>
+void each_composition(Kinds<Fields...>, const Use& use) {
+  (use(Composition<Fields>()), ...);
+}
+
+/// Calls use(Composition<Fields>{}) for every composition.
+template <class Use>
+void each_composition(const Use& use) {
+  each_composition(Compositions(), use);
+}
 
 /// Whether a kind is the first in its section.
 template <class Kind>
@@ -57,9 +82,6 @@ void note_at(Reader& reader, const Where& where, std::string message, std::strin
 /// Notes an angle of more than a turn; not for a translational coordinate. name: of the angle.
 void note_angle(Reader& reader, const Where& where, const std::string& name, const CoordinateReference& coordinate,
                 double angle);
-
-/// Notes on bushings with negative stiffness or damping.
-void note_bushings(Reader& reader);
 
 constexpr const char* kByExpression = "a force by an expression, which is not integrated";
 constexpr const char* kByMotion = "a law that depends on the motion, which is not integrated";

@@ -61,11 +61,11 @@ inline constexpr bool kChoosesAgain = System::kBlocks > 0;
 template <class System>
 inline constexpr bool kChoosesAgain<System, std::void_t<decltype(System::kFrozenOnly)>> = !System::kFrozenOnly;
 
-/// Number of the places of ropes, see rope_place_names of the compiler.
+/// Number of the places at which elements hold, see hold_names of the compiler.
 template <class System, class = void>
-inline constexpr int kRopePlacesOf = 0;
+inline constexpr int kHoldsOf = 0;
 template <class System>
-inline constexpr int kRopePlacesOf<System, std::void_t<decltype(System::kRopePlaces)>> = System::kRopePlaces;
+inline constexpr int kHoldsOf<System, std::void_t<decltype(System::kHolds)>> = System::kHolds;
 
 /// Smallest pivot of a block, over its median in the analysed configurations, with which the frozen order is trusted.
 /// The analysis accepts ratios from 0.05; two digits of the answer are at stake here, where it is left. Accelerations

@@ -28,12 +28,11 @@ int free_coordinate(const FreeDirection& direction, const BlockFactors<System>& 
   return direction.coordinate;
 }
 
-/// Copies zdd and xd of a program's result when they are finite and ropes hold.
+/// Copies zdd and xd of a program's result when they are finite and elements hold.
 template <class System, class Values>
 Status deliver(const Values& values, typename System::Derivative& derivative) noexcept {
-  if constexpr (constexpr int places = kRopePlacesOf<System>; places > 0) {
-    for (int place = 0; place < places; ++place)
-      if (!(values.hold[place] >= 0)) return {Code::rope_lost, place};
+  if constexpr (constexpr int places = kHoldsOf<System>; places > 0) {
+    if (const Status status = status_of_holds(values.hold, places); !status.ok()) return status;
   }
   Total<RealOf<System>> total(0);
   total.add(values.zdd, System::kCoordinates);
@@ -204,7 +203,7 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
 }  // namespace solver_detail
 
 /// All accelerations at a state: the frozen program, and the pivoted one where the monitor of a loop block trips.
-/// Fails: not_a_number, no_inertia, loop_singular, rope_lost; the derivative is then unchanged. Gives no notices.
+/// Fails: not_a_number, no_inertia, loop_singular, kNotHeld; the derivative is then unchanged. Gives no notices.
 template <class System>
 Status solve_accelerations(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                            const typename System::State& state, const RealOf<System>* tau,

@@ -31,6 +31,10 @@ enum class Code : int {
 
 constexpr Code kFirstNotice = Code::chosen_again;
 
+/// An element does not hold at one of its places; index: place.
+constexpr Code kNotHeld = Code::rope_lost;
+constexpr const char* kNotHeldName = "rope_lost";
+
 /// Result of every call. `index` counts the object of the code (see Code), -1 for none.
 struct Status {
   Code code = Code::ok;
@@ -86,7 +90,7 @@ constexpr const char* text(Code code) noexcept {
 }
 
 /// Kind of object that the index of a code counts.
-enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state, rope_place, free_direction };
+enum class Subject { coordinate, loop_block, input, parameter, auxiliary_state, hold, free_direction };
 
 constexpr Subject subject_of(Code code) noexcept {
   switch (code) {
@@ -97,7 +101,7 @@ constexpr Subject subject_of(Code code) noexcept {
     case Code::singular_met:
       return Subject::loop_block;
     case Code::rope_lost:
-      return Subject::rope_place;
+      return Subject::hold;
     case Code::input_not_a_number:
       return Subject::input;
     case Code::parameter_not_a_number:
@@ -121,10 +125,18 @@ struct Names {
 
 /// Name of the object of a status, "" for none and for a free direction, which a solver with actuators names itself.
 constexpr const char* name_of(Status status, Names coordinates, Names loop_blocks, Names inputs, Names parameters,
-                              Names auxiliary_states, Names rope_places = {nullptr, 0}) noexcept {
-  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states, rope_places, {nullptr, 0}};
+                              Names auxiliary_states, Names holds = {nullptr, 0}) noexcept {
+  const Names tables[] = {coordinates, loop_blocks, inputs, parameters, auxiliary_states, holds, {nullptr, 0}};
   const Names table = tables[static_cast<int>(subject_of(status.code))];
   return status.index < 0 || status.index >= table.count ? "" : table.names[status.index];
+}
+
+/// The first place at which an element does not hold. hold: per place, negative or NaN there.
+template <class Number>
+constexpr Status status_of_holds(const Number* hold, int places) noexcept {
+  for (int place = 0; place < places; ++place)
+    if (!(hold[place] >= 0)) return {kNotHeld, place};
+  return {};
 }
 
 /// The status without its notice: a failure, or ok.

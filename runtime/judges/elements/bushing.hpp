@@ -98,7 +98,7 @@ inline BushingAtWork bushing_at_work(const Bushing& bushing, const ElementPart& 
 
 /// Extensions of its Maxwell branches.
 inline const double* extensions_of(const AtWork& at, const Bushing& bushing) {
-  return at.x.data() + first_extension(at.c.model, index_of(at, bushing));
+  return at.x.data() + state_of_element(at.c.model, bushing);
 }
 
 inline BushingAtWork bushing_at_work(const AtWork& at, const Bushing& bushing) {
@@ -109,8 +109,7 @@ inline void apply(const AtWork& at, const Bushing& bushing, Forces& forces) {
   const BushingAtWork at_work = bushing_at_work(at, bushing);
   forces.loads.push_back(at_work.on_from);
   forces.loads.push_back(at_work.on_to);
-  std::copy(at_work.xd.begin(), at_work.xd.end(),
-            forces.xd.begin() + first_extension(at.c.model, index_of(at, bushing)));
+  std::copy(at_work.xd.begin(), at_work.xd.end(), forces.xd.data() + state_of_element(at.c.model, bushing));
 }
 
 inline double shown(const AtWork& at, const Forces&, const Bushing& bushing, int quantity, int axis) {

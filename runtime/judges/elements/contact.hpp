@@ -142,7 +142,7 @@ inline ContactAtWork contact_at_work(const AtWork& at, const SurfaceContact& con
   work.force = stop_force(contact.push, at.value, work.penetration, work.rate);
   if (!contact.has_friction()) return work;
   const Eigen::Matrix<double, 3, 2> along = axes * bristle_axes(contact, nearest.normal);
-  const auto first = static_cast<std::size_t>(contact_state(at.c.model, index_of(at, contact)));
+  const auto first = state_of_element(at.c.model, contact);
   const Eigen::Vector2d slip = along.transpose() * sliding, deflection(at.x[first], at.x[first + 1]);
   work.slip = slip.norm();
   const double lag = *contact.lag;
@@ -164,7 +164,7 @@ inline void apply(const AtWork& at, const SurfaceContact& contact, Forces& force
   add(part.from.body, force);
   if (contact.shape != SurfaceContact::Shape::road) add(part.to.body, -force);
   if (!contact.has_friction()) return;
-  const auto first = static_cast<std::size_t>(contact_state(at.c.model, index_of(at, contact)));
+  const auto first = state_of_element(at.c.model, contact);
   for (Eigen::Index i = 0; i < 2; ++i) forces.xd[first + static_cast<std::size_t>(i)] = work.xd[i];
 }
 

@@ -10,13 +10,14 @@
 namespace mbgen::cartesian {
 
 /// Force of a friction, N m or N, on the part that moves at `rate`, and the rates of its bristles.
-inline double friction_at(const AtWork& at, const FrictionLaw& f, double rate, Forces& forces) {
+template <class Friction>
+double friction_at(const AtWork& at, const Friction& f, double rate, Forces& forces) {
   const Values& value = at.value;
   double force = 0;
   if (f.has_bristle()) {
     const Bristles<double> bristles{value(f.coulomb),   value(f.stiction), value(f.stribeck_velocity),
                                     value(f.stiffness), value(f.damping),  *f.lag};
-    const std::size_t state = bristle_state(value.model, f);
+    const std::size_t state = state_of_element(value.model, f);
     const BristleResult<double> result = f.kind == FrictionLaw::Kind::lugre
                                              ? lugre_friction(bristles, at.x[state], rate)
                                              : elasto_plastic_friction(bristles, value(f.elastic), at.x[state], rate);

@@ -118,7 +118,7 @@ inline std::vector<double> stretch_spans(const AtWork& at, const Rope& rope, con
     paid[g] += arm * at.value.position(station.wheel);
     now.lengthens[g] += arm * at.value.velocity(station.wheel);
   });
-  const double* slip = at.x.data() + first_slip(at.c.model, index_of(at, rope));
+  const double* slip = at.x.data() + state_of_element(at.c.model, rope);
   for (std::size_t s = 0; s < rope.path.size(); ++s) {
     if (rope.path[s].contact != RopeStation::Contact::rubs) continue;
     GrooveInSpace groove;
@@ -195,7 +195,7 @@ inline void apply(const AtWork& at, const Rope& rope, Forces& forces) {
   if (rope.path.empty()) return;  // its first span acts
   const RopeNow now = rope_now(at, rope);
   forces.hold.insert(forces.hold.end(), now.holds.begin(), now.holds.end());
-  auto rates = forces.xd.begin() + first_slip(at.c.model, index_of(at, rope));
+  auto rates = forces.xd.data() + state_of_element(at.c.model, rope);
   for (const double rate : now.slip_rates) *rates++ = rate;
   const RopeInSpace space{at, rope, at.bodies};
   std::vector<int> touched;

@@ -160,7 +160,8 @@ Complaint accelerations_change(const Mechanism& m, const RandomMechanism& other,
   for (GenericState& state : good_states(m, 2)) {
     const std::vector<double> tau = random_tau(m, 3);
     if (turns && !m.model.contacts.empty())
-      std::fill(state.x.begin() + contact_state(m.model, 0), state.x.begin() + slip_state_count(m.model), 0.0);
+      std::fill(state.x.begin() + first_state<SurfaceContact>(m.model, 0), state.x.begin() + slip_state_count(m.model),
+                0.0);
     GenericDerivative expected, actual;
     if (!solver.accelerations(state, tau, expected).ok()) return "a state is refused";
     const GenericState there{in_order(*also, by_name(m, state.z)), in_order(*also, by_name(m, state.zd)),

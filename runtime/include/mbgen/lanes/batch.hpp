@@ -241,7 +241,7 @@ typename System::Mask evaluate_lanes(const ParametersOf<System>& parameters, con
   good &= pivots_reach<System>(values.pivot, least_pivot);
   good &= in_users_chart<System>(state);
   for (int k = 0; k < System::kFreeDirections; ++k) good &= values.inertia[k] > 0.0;
-  if constexpr (constexpr int places = kRopePlacesOf<System>; places > 0) {
+  if constexpr (constexpr int places = kHoldsOf<System>; places > 0) {
     for (int place = 0; place < places; ++place) good &= values.hold[place] >= 0.0;
   }
   return good & is_finite(sum(values.zdd, System::kCoordinates) + sum(values.xd, System::kAuxiliaryStates));
