@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <utility>
 
 #include "compiler/analysis/choice_at.hpp"
@@ -98,6 +99,7 @@ Form written_form(const Compilation& c, std::optional<Form> asked) {
 }
 
 void add_programs(Compilation& c, const CompileOptions& options) {
+  if (options.decided) options.decided(c);
   Stages stages(options.watch);
   const Form form = written_form(c, options.form);
   if (form == Form::recursive) choose_by_counting(c.model, c.topology, c.analysis);
@@ -108,6 +110,7 @@ void add_programs(Compilation& c, const CompileOptions& options) {
     return;
   }
   c.whole = traced_programs(c.model, c.topology, c.analysis, form);
+  if (options.for_text_alone && c.whole.around_laws) c.whole.programs.accelerations = {};
   if (!stages.ended("program", c)) return;
 
   const AlikeInputs alike = alike_inputs(c.model, c.topology, c.whole);
@@ -182,6 +185,13 @@ WholePrograms whole_programs(const Model& model, const Topology& topology, const
   return optimise(std::move(whole));
 }
 
+/// The whole programs. Requires: they were not left out for a text alone.
+const Programs& whole_programs(const Compilation& c) {
+  if (c.whole.around_laws && c.whole.programs.accelerations.outputs.empty())
+    throw std::logic_error("no whole programs: made for a text alone");
+  return c.whole.programs;
+}
+
 /// The whole programs as they are differentiated: a bristle whose limit is 0 is no spring there.
 Programs programs_for_slopes(const Compilation& c) {
   Model model = c.model;
@@ -194,7 +204,7 @@ Programs programs_for_slopes(const Compilation& c) {
   };
   mark(model.frictions);
   mark(model.spring_frictions);
-  return has_bristle ? whole_programs(model, c.topology, c.analysis, c.form()).programs : c.whole.programs;
+  return has_bristle ? whole_programs(model, c.topology, c.analysis, c.form()).programs : whole_programs(c);
 }
 
 /// The same model by other decisions, and its whole programs alone.
@@ -211,7 +221,7 @@ FmuFiles emit_fmu(const Compilation& c, const InitialState& initial, FmiVersion 
 }
 
 std::vector<EmittedFile> emit_casadi(const Compilation& c, const InitialState& initial) {
-  return emit_casadi(c.whole.programs, programs_for_slopes(c), c.emitted, c.model, c.topology, c.analysis, initial);
+  return emit_casadi(whole_programs(c), programs_for_slopes(c), c.emitted, c.model, c.topology, c.analysis, initial);
 }
 
 std::vector<EmittedFile> emit_adjoint(const Compilation& c, const EmitOptions& options) {
@@ -228,7 +238,7 @@ std::optional<Compilation> chosen_at(const Compilation& c, const std::vector<dou
 
 void add_directional(Compilation& c) {
   c.directional = std::make_shared<const DirectionalPrograms>(
-      directional_programs(c.model, c.topology, c.analysis, c.whole.programs));
+      directional_programs(c.model, c.topology, c.analysis, whole_programs(c)));
 }
 
 std::optional<Compilation> with_states(const Compilation& c, const std::vector<double>& z,
@@ -243,7 +253,7 @@ std::optional<Compilation> with_states(const Compilation& c, const std::vector<d
 Result<LinearSystem> linearise(const Compilation& c, const OperatingPoint& point) {
   if (c.directional) return linearise(c.model, c.topology, c.analysis, *c.directional, point);
   return linearise(c.model, c.topology, c.analysis,
-                   directional_programs(c.model, c.topology, c.analysis, c.whole.programs), point);
+                   directional_programs(c.model, c.topology, c.analysis, whole_programs(c)), point);
 }
 
 Result<LinearSystem> linearise_by_any_choice(const Compilation& c, const OperatingPoint& point) {

@@ -52,6 +52,8 @@ struct CompileOptions {
   std::optional<Form> form = {};       ///< of the accelerations, none for form_of
   StageWatch watch = {};               ///< called after each stage
   Spelling spelling = Spelling::fast;  ///< for reading: no whole programs, and stages end with "program"
+  bool for_text_alone = false;  ///< without whole accelerations where the text has others: no derivatives are taken
+  std::function<void(const Compilation& decided)> decided = {};  ///< called before the first program of a model is made
 };
 
 /// Analyses a model: no programs. All that is needed to check it, and by engines other than the generated one.

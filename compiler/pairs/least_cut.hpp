@@ -2,9 +2,16 @@
 // The cheapest of all ways to decide many questions with two answers each.
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace mbgen {
+
+/// The cost of leaving `to` beyond a cut with `from` on this side.
+struct CostArc {
+  std::uint32_t from, to;
+  long room;
+};
 
 /// Questions that are answered yes or no, with costs of answers and of pairs of answers: a minimum cut.
 class Decisions {
@@ -23,17 +30,10 @@ class Decisions {
   std::vector<bool> decided();
 
  private:
-  struct Arc {
-    std::size_t to;
-    long left;
-  };
   static constexpr std::size_t kYes = 0, kNo = 1;
   void arc(std::size_t from, std::size_t to, long room);
-  bool find_levels();
-  void augment();
-  std::vector<Arc> arcs_;  ///< each beside its reverse
-  std::vector<std::vector<std::size_t>> of_ = std::vector<std::vector<std::size_t>>(2);
-  std::vector<int> level_;
+  std::size_t nodes_ = 2;
+  std::vector<CostArc> arcs_;
 };
 
 }  // namespace mbgen

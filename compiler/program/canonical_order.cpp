@@ -36,12 +36,12 @@ std::array<Rank, 3> operand_ranks(const Node& node, std::span<const Rank> ranks)
   return result;
 }
 
-/// A node of a wave, that is of one moment and depth, as it is sorted.
+/// A node of a moment as it is sorted.
 struct Placed {
-  std::uint64_t wave = 0;
+  std::uint32_t depth = 0;
   ValueId value = kNoValue;
   Op op = Op::constant;
-  std::array<Rank, 3> operands = {0, 0, 0};  ///< known when the wave is
+  std::array<Rank, 3> operands = {0, 0, 0};  ///< known when its depth is reached
 };
 
 /// By operation, then constants by value and name, inputs by slot, operations by the ranks of their operands.
@@ -58,20 +58,32 @@ bool comes_first(const Program& program, const Placed& a, const Placed& b) {
   return name(one) < name(other);
 }
 
+/// Calls use(first, last) for the nodes of each moment.
+template <class Use>
+void each_moment(std::span<const std::uint32_t> moments, const Use& use) {
+  for (std::size_t first = 0, last = 0; first < moments.size(); first = last) {
+    while (last < moments.size() && moments[last] == moments[first]) ++last;
+    use(first, last);
+  }
+}
+
 /// Places of the nodes in an order by computation: by moment, depth, operation and the ranks of the operands.
 std::vector<Rank> ranks_of_nodes(const Program& program, std::span<const std::uint32_t> moments) {
   const std::vector<std::uint32_t> depths = depths_within_moments(program, moments);
-  std::vector<Placed> order(program.nodes.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = {std::uint64_t{moments[i]} << 32 | depths[i], static_cast<ValueId>(i), program.nodes[i].op};
-  std::ranges::sort(order, {}, &Placed::wave);
   std::vector<Rank> ranks(program.nodes.size());
-  for (auto begin = order.begin(); begin != order.end();) {
-    const auto end = std::find_if(begin, order.end(), [&](const Placed& node) { return node.wave != begin->wave; });
-    for (auto node = begin; node != end; ++node) node->operands = operand_ranks(program.nodes[node->value], ranks);
-    std::sort(begin, end, [&](const Placed& a, const Placed& b) { return comes_first(program, a, b); });
-    for (; begin != end; ++begin) ranks[begin->value] = static_cast<Rank>(begin - order.begin());
-  }
+  std::vector<Placed> order;
+  each_moment(moments, [&](std::size_t first, std::size_t last) {
+    order.clear();
+    for (std::size_t i = first; i < last; ++i)
+      order.push_back({depths[i], static_cast<ValueId>(i), program.nodes[i].op});
+    std::ranges::sort(order, {}, &Placed::depth);
+    for (auto begin = order.begin(); begin != order.end();) {
+      const auto end = std::find_if(begin, order.end(), [&](const Placed& node) { return node.depth != begin->depth; });
+      for (auto node = begin; node != end; ++node) node->operands = operand_ranks(program.nodes[node->value], ranks);
+      std::sort(begin, end, [&](const Placed& a, const Placed& b) { return comes_first(program, a, b); });
+      for (; begin != end; ++begin) ranks[begin->value] = static_cast<Rank>(first + (begin - order.begin()));
+    }
+  });
   return ranks;
 }
 
@@ -90,12 +102,14 @@ std::vector<ValueId> starts_of_moments(const Program& program, std::span<const s
     }
   }
   std::vector<ValueId> starts;
-  for (std::size_t i = 0; i < is_start.size(); ++i) {
-    if (is_start[i]) starts.push_back(static_cast<ValueId>(i));
-  }
-  std::ranges::sort(starts, {}, [&](ValueId value) {
-    const std::int32_t label = is_labelled(program.nodes[value]) ? program.nodes[value].label : -1;
-    return std::tuple(moments[value], label < 0, label, ranks[value]);
+  each_moment(moments, [&](std::size_t first, std::size_t last) {
+    const std::size_t before = starts.size();
+    for (std::size_t i = first; i < last; ++i)
+      if (is_start[i]) starts.push_back(static_cast<ValueId>(i));
+    std::ranges::sort(starts.begin() + static_cast<std::ptrdiff_t>(before), starts.end(), {}, [&](ValueId value) {
+      const std::int32_t label = is_labelled(program.nodes[value]) ? program.nodes[value].label : -1;
+      return std::tuple(label < 0, label, ranks[value]);
+    });
   });
   return starts;
 }

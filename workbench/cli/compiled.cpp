@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "compiler/text/user_error.hpp"
+#include "workbench/host/large_pages.hpp"
 #include "workbench/host/progress.hpp"
 
 namespace mbgen::cli {
 
 Compilation compiled(Model model, CompileOptions options) {
+  take_large_pages(model.bodies.size());
   const std::string name = model.name;
   const std::size_t stages = stage_names().size();
   std::size_t ended = 0;

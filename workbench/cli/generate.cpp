@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -199,6 +200,14 @@ std::vector<EmittedFile> emitted_files(const GenerateOptions& options, const Com
   return files;
 }
 
+/// The start, which follows from the decisions about a model, found beside its programs; none where a solver may lack
+/// it.
+std::future<std::optional<InitialState>> start_beside(const Compilation& decided, bool may_lack) {
+  return std::async(std::launch::async | std::launch::deferred, [decided, may_lack] {
+    return may_lack ? known_start(decided) : std::optional(default_initial_state(decided));
+  });
+}
+
 int run(const GenerateOptions& options) {
   if (!options.dump.empty()) {
     print(dump_stage(read_named(options), options.dump, known_start, chosen_form(options.form), options.emit));
@@ -213,19 +222,23 @@ int run(const GenerateOptions& options) {
   require_precision(options);
   require_fast_copy(options);
   check_budget(options);
-  const Compilation compilation =
-      compiled(read_named(options),
-               {.form = chosen_form(options.form), .spelling = options.reading ? Spelling::reading : Spelling::fast});
-  require_range(compilation, options.emit.scalar);
-  require_derivatives(options, compilation);
-  require_explicit(options, compilation);
   EmitOptions emitted = options.emit;
   emitted.tangents = options.adjoint || !options.sensitivities.empty();
   emitted.adjoint = options.adjoint;
   emitted.c_interface = options.c_interface || options.emit.calibration;
   emitted.casadi = options.casadi;
-  emitted.initial =
-      emitted.c_interface || options.casadi ? default_initial_state(compilation) : known_start(compilation);
+  std::future<std::optional<InitialState>> start;
+  const Compilation compilation =
+      compiled(read_named(options), {.form = chosen_form(options.form),
+                                     .spelling = options.reading ? Spelling::reading : Spelling::fast,
+                                     .for_text_alone = !options.casadi,
+                                     .decided = [&](const Compilation& decided) {
+                                       start = start_beside(decided, !emitted.c_interface && !options.casadi);
+                                     }});
+  require_range(compilation, options.emit.scalar);
+  require_derivatives(options, compilation);
+  require_explicit(options, compilation);
+  emitted.initial = start.get();
   std::vector<EmittedFile> files = emitted_files(options, compilation, emitted);
   std::optional<MeasuredCost> cost;
   if (options.measure) {

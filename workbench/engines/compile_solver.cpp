@@ -15,6 +15,7 @@
 #include "workbench/engines/kept_objects.hpp"
 #include "workbench/engines/kept_request.hpp"
 #include "workbench/host/files.hpp"
+#include "workbench/host/large_pages.hpp"
 #include "workbench/host/own_directory.hpp"
 #include "workbench/host/temporary_directory.hpp"
 
@@ -42,16 +43,24 @@ std::string object_name(const std::string& solver, const std::vector<EmittedFile
   return fmt::format("{}-{}.so", solver, hash.text());
 }
 
+/// The sources of a solver. For a quick compilation its driver, the last one, is no source of its own.
+std::vector<Source> sources_of(const std::vector<EmittedFile>& files, const fs::path& scratch, bool is_quick) {
+  std::vector<Source> sources;
+  for (const EmittedFile& file : files)
+    if (file.path.ends_with(".cpp")) sources.push_back({scratch / file.path, file.rare_parts});
+  if (!is_quick) return sources;
+  sources.front().user = sources.back().path;
+  sources.pop_back();
+  return sources;
+}
+
 /// Compiles the sources of a solver and links them. Result: the shared object, in `scratch`.
 fs::path build(const fs::path& scratch, const std::string& solver, const std::vector<EmittedFile>& files,
                HostCompiler compiler) {
   std::vector<NamedText> texts;
-  std::vector<Source> sources;
-  for (const EmittedFile& file : files) {
-    texts.push_back({file.path, file.text});
-    if (file.path.ends_with(".cpp")) sources.push_back({scratch / file.path, file.rare_parts});
-  }
+  for (const EmittedFile& file : files) texts.push_back({file.path, file.text});
   write_files(scratch, texts, {});
+  const std::vector<Source> sources = sources_of(files, scratch, !compiler.hot_flags.empty());
   compiler.flags.emplace_back("-fPIC");
   const std::string product = "the solver of " + solver;
   const fs::path result = scratch / "solver.so";
@@ -91,6 +100,8 @@ HostCompiler compiler_for(const fs::path& scratch, const EngineChoice& choice) {
   HostCompiler compiler = find_compiler(scratch, "-march=native", lanes);
   if (choice.use == SolverUse::running && choice.lanes == 0) {
     compiler.hot_flags = quick_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
+    // Functions of <cmath> like Bessel's, which no solver calls, are a third of the headers' time.
+    compiler.flags.emplace_back("-D_GLIBCXX_BITS_SPECFUN_H");
   }
   return compiler;
 }
@@ -102,8 +113,9 @@ std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice
                : emit_for_loading(compilation, choice.use == SolverUse::timing_steps, choice.lanes);
   };
   if (decided.has_programs()) return emitted(decided);
+  take_large_pages(decided.model.bodies.size());
   Compilation compilation = decided;
-  add_programs(compilation, {choice.form});
+  add_programs(compilation, {.form = choice.form, .for_text_alone = true});
   return emitted(compilation);
 }
 

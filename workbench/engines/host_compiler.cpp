@@ -162,7 +162,8 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
   std::vector<Command> compilations, rare;
   std::vector<std::string> names;
   for (const Source& source : sources) {
-    for (const PartRange& parts : ranges_of(source.rare_parts)) {
+    const std::vector<PartRange> ranges = ranges_of(source.rare_parts);
+    for (const PartRange& parts : ranges) {
       const bool is_part = parts.first > 0;
       const std::string base =
           (objects / source.path.filename()).string() + (is_part ? fmt::format(".{}", parts.first) : "");
@@ -173,7 +174,9 @@ std::vector<std::string> compile_sources(const HostCompiler& compiler,
       words.insert(words.end(), further.begin(), further.end());
       if (source.rare_parts > 0) words.push_back(fmt::format("-DMBGEN_PART={}", parts.first));
       if (parts.last > parts.first) words.push_back(fmt::format("-DMBGEN_LAST_PART={}", parts.last));
-      words.insert(words.end(), {"-c", source.path.string(), "-o", names.back()});
+      const bool takes_user = &parts == &ranges.back() && !source.user.empty();
+      if (takes_user) words.insert(words.end(), {"-include", source.path.string()});
+      words.insert(words.end(), {"-c", (takes_user ? source.user : source.path).string(), "-o", names.back()});
       (is_part ? rare : compilations).push_back(std::move(compilation));
     }
   }

@@ -49,13 +49,14 @@ void run_all(const std::vector<Command>& commands, const std::string& product, c
 /// A source file to compile.
 struct Source {
   std::filesystem::path path;
-  int rare_parts = 0;    ///< see EmittedFile
-  bool is_rare = false;  ///< all of it runs rarely
+  int rare_parts = 0;               ///< see EmittedFile
+  bool is_rare = false;             ///< all of it runs rarely
+  std::filesystem::path user = {};  ///< another source, compiled in one with the last part: headers are read once
 };
 
-/// Compiles sources, large ones in as many parts as there are processors; code that runs rarely with rare_flags, other code with hot_flags.
-/// directories: of headers; objects: the directory for the objects; product, advice: as for run_all.
-/// Result: the objects. Fails: as run_all.
+/// Compiles sources, large ones in as many parts as there are processors; code that runs rarely with rare_flags, other
+/// code with hot_flags. directories: of headers; objects: the directory for the objects; product, advice: as for
+/// run_all. Result: the objects. Fails: as run_all.
 std::vector<std::string> compile_sources(const HostCompiler& compiler,
                                          const std::vector<std::filesystem::path>& directories,
                                          const std::vector<Source>& sources, const std::filesystem::path& objects,
