@@ -193,8 +193,10 @@ std::vector<EmittedFile> emit_adjoint(const WrittenPrograms& written, const Mode
                               {"output_size", outputs}};
   files.push_back({names.solver + "_adjoint_c.h", fill_template(context, "adjoint_c.h.in", header)});
   files.push_back({names.solver + "_adjoint_c.cpp", fill_template(context, "adjoint_c.cpp.in", source)});
-  files.push_back(
-      {names.solver + "_adjoint.py", fill_template(context, "adjoint.py.in", {{"banner", banner_text(model, "#")}})});
+  const std::string example = names.outputs.empty() ? "name" : names.outputs.front();
+  files.push_back({names.solver + "_adjoint.py",
+                   fill_template(context, "adjoint.py.in",
+                                 {{"banner", banner_text(model, "#")}, {"example_output", string_literal(example)}})});
   return files;
 }
 

@@ -187,5 +187,28 @@ TEST_F(Sensitivities, RefusesWhatHasNoDerivatives) {
   refused("--sensitivities k --integrator cvode", "--sensitivities needs a fixed step");
 }
 
+/// A parallelogram that turns through its singular position: d(ax)/d(m) was 1.98 there, where differences give 1.38.
+TEST_F(Sensitivities, PastASingularPositionAreDoubted) {
+  write("parallelogram.json", R"({ "mbgen": 1, "name": "parallelogram",
+    "parameters": { "m": { "value": 2, "tunable": true } },
+    "bodies": { "ground": { "points": { "A": [0, 0, 0], "D": [1, 0, 0] } },
+      "crank": { "mass": 1, "com": [0, 0, 0.1], "inertia": [0.1, 0.1, 0.1],
+                 "points": { "A": [0, 0, 0], "B": [0, 0, 0.4] } },
+      "rod": { "pose": { "origin": [0, 0, 0.4] }, "mass": "m", "com": [0.3, 0, 0], "inertia": [0.1, 0.1, 0.1],
+               "points": { "B": [0, 0, 0], "C": [1, 0, 0] } },
+      "rocker": { "pose": { "origin": [1, 0, 0] }, "mass": 1, "com": [0, 0, 0.2], "inertia": [0.1, 0.1, 0.1],
+                  "points": { "D": [0, 0, 0], "C": [0, 0, 0.4] } } },
+    "joints": { "a": { "type": "revolute", "from": "ground.A", "to": "crank.A", "axis": "y" },
+      "b": { "type": "revolute", "from": "crank.B", "to": "rod.B", "axis": "y" },
+      "d": { "type": "revolute", "from": "ground.D", "to": "rocker.D", "axis": "y" },
+      "c": { "type": "revolute", "from": "rod.C", "to": "rocker.C", "axis": "y" } },
+    "outputs": { "a": { "joint": "a" } }, "initial": { "velocities": { "a": 9 } } })");
+  const std::string run = "simulate parallelogram.json --sensitivities m --step 2e-3 --out a.csv --duration ";
+  const Outcome past = mbgen(run + "0.4");
+  EXPECT_EQ(past.exit_code, 0) << past.err;
+  EXPECT_NE(past.err.find("are not exact: the motion passed a singular position"), std::string::npos) << past.err;
+  EXPECT_EQ(mbgen(run + "0.1").err.find("are not exact"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

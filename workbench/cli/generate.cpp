@@ -133,7 +133,8 @@ void require_derivatives(const GenerateOptions& options, const Compilation& comp
       "static "
       "equilibrium, "
       "that gives or locks as many values as the loops leave free\n"
-      "  hint: leave out --c-api: in C++ assemble_holding holds what the caller wants\n");
+      "  hint: leave out --c-api: in C++ assemble_holding (derivatives) and assemble_back (adjoint) "
+      "start where the caller wants\n");
 }
 
 /// Fails: UserError for a model that is no explicit differential equation.

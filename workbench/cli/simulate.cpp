@@ -121,6 +121,17 @@ int run_inverse(const SimulateOptions& options) {
                            options.engine, options.simulation, options.every, options.json});
 }
 
+/// Warns of derivatives past a singular position: they are those of the branch that the step found.
+void doubt_derivatives(JudgedMotion& motion) {
+  std::optional<double> first;
+  for (const BlockEvents& block : motion.summary.blocks)
+    if (block.singular_met > 0)
+      first = std::min(first.value_or(block.singular_times.front()), block.singular_times.front());
+  if (first)
+    motion.verdict.warnings.push_back(fmt::format(
+        "derivatives after t = {:.6g} s are not exact: the motion passed a singular position there", *first));
+}
+
 /// Fails: UserError for options whose motion has no derivatives.
 void require_derivatives(const SimulateOptions& options, const std::string& engine,
                          const std::optional<ErrorControl>& control) {
@@ -178,7 +189,8 @@ int run(SimulateOptions options) {
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
                     std::move(read), derivative_headings(compilation.model, options.sensitivities));
   TangentEngine engine = engine_of(compilation, choice, kept, options.sensitivities);
-  const Run run = compute(compilation, choice, engine, inputs, settings, control, table, manoeuvre.get());
+  Run run = compute(compilation, choice, engine, inputs, settings, control, table, manoeuvre.get());
+  if (!options.sensitivities.empty()) doubt_derivatives(run.motion);
   const JudgedMotion& motion = run.motion;
   const SimulationRecord record{compilation,
                                 choice,

@@ -65,18 +65,6 @@ decltype(auto) inputs_at(const typename System::Inputs& inputs, [[maybe_unused]]
   }
 }
 
-template <class Adjoints>
-bool is_finite_sum(const Adjoints& cost) noexcept {
-  double sum = 0;
-  for (const double value : cost.z) sum += value;
-  for (const double value : cost.zd) sum += value;
-  for (const double value : cost.x) sum += value;
-  for (const double value : cost.inputs) sum += value;
-  for (const double value : cost.parameters) sum += value;
-  for (const double value : cost.derived) sum += value;
-  return is_finite(sum);
-}
-
 /// Stages of a step that is taken plainly, kept for the way back. Anything but ok ends it.
 template <class System>
 struct KeptStages {
@@ -278,19 +266,22 @@ bool plain_outputs_back(const typename System::Parameters& parameters, const typ
 /// From the derivatives of a number by the state after a step of Runge-Kutta (step_rk4) to those by the state before
 /// it; adds those by inputs and parameters. Steps by the frozen partition go back by the transposed programs; steps
 /// that choose coordinates again, come near a singular position or jump go back by directions, whose cost grows with
-/// the numbers of the state. Fails: as step_rk4; `cost` is then as it was.
+/// the numbers of the state. Fails: as step_rk4, not_a_number for derivatives that are not finite; `cost` is then as it
+/// was.
 template <class System>
 Status step_back(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                  const typename System::State& before, double h, typename System::Adjoints& cost) noexcept {
   const Status valid = integrator_detail::check_step(h);
   if (!valid.ok()) return valid;
+  if (!adjoint_detail::is_finite_sum(cost)) return {Code::not_a_number, -1};
   bool is_plain = false;
   const Status status = adjoint_detail::plain_step_back<System>(parameters, inputs, before, h, cost, is_plain);
   if (is_plain) return status;
   return adjoint_detail::step_by_directions<System>(parameters, inputs, before, h, cost);
 }
 
-/// Adds the derivatives of weighted outputs at a state. Fails: as accelerations and outputs; `cost` is then as it was.
+/// Adds the derivatives of weighted outputs at a state. Fails: as accelerations and outputs, not_a_number for weights
+/// and derivatives that are not finite; `cost` is then as it was.
 template <class System>
 Status outputs_back(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                     const typename System::State& state, const double (&weights)[System::kOutputSize],

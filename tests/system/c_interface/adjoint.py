@@ -51,6 +51,9 @@ for step in (0, 1, 150, 298, 299):
     assert abs(gradient.inputs["torque"][step] - difference) < 1e-6 * largest, (step, difference)
 assert gradient.inputs["torque"][STEPS] == 0  # no output at the end takes the torque
 
+# The start follows from no input here; its inputs and those of the first step are told apart.
+assert gradient.start["torque"] == 0
+
 try:
     motion.step(STEP)
 except linkage.SolverError as error:
@@ -64,3 +67,16 @@ for weights, text in (({"height": 1}, 'no output "height"'), ({"coupler_z": [1, 
         assert text in str(error), error
     else:
         raise AssertionError(weights)
+for steps in (-1, 2**62):
+    try:
+        linkage_adjoint.Motion(steps)
+    except ValueError as error:
+        assert "steps: from 0" in str(error), error
+    else:
+        raise AssertionError(steps)
+try:
+    motion.gradient({"coupler_z": np.nan})
+except ValueError as error:
+    assert "weights must be finite" in str(error), error
+else:
+    raise AssertionError("a weight that is no number")

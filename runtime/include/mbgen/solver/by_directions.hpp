@@ -13,6 +13,18 @@ namespace mbgen {
 
 namespace adjoint_detail {
 
+template <class Adjoints>
+bool is_finite_sum(const Adjoints& cost) noexcept {
+  double sum = 0;
+  for (const double value : cost.z) sum += value;
+  for (const double value : cost.zd) sum += value;
+  for (const double value : cost.x) sum += value;
+  for (const double value : cost.inputs) sum += value;
+  for (const double value : cost.parameters) sum += value;
+  for (const double value : cost.derived) sum += value;
+  return is_finite(sum);
+}
+
 /// Values of a solver with derivatives at a state, and a seed of 1 for one number a direction. Numbers in this order:
 /// z, zd, x, inputs, parameters.
 template <class System>
@@ -82,6 +94,7 @@ Status add_by_directions(const typename System::Parameters& parameters, const ty
     for (int lane = 0; lane < At::kLanes && first + lane < At::kNumbers; ++lane)
       entry<System>(cost, first + lane) += sums[lane];
   }
+  if (!is_finite_sum(cost)) return {Code::not_a_number, -1};
   return met;
 }
 
