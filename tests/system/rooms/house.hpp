@@ -1,6 +1,7 @@
 #pragma once
 // The house as CMakeLists.txt tells it: rooms, what they use, their doors.
 
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -20,6 +21,9 @@ struct Room {
 using Rooms = std::map<std::string, Room>;
 
 std::string text_of(const std::filesystem::path& path);
+
+/// Whether a letter belongs to an identifier.
+inline bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// The rooms of a CMake file, by its lines mbgen_room(NAME DIRECTORY DEPENDENCY...), set(mbgen_folders_NAME FOLDER...)
 /// and mbgen_doors(NAME HEADER...), with the headers of emitted code as room "runtime". Dependencies that are no rooms

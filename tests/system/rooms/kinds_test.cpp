@@ -42,8 +42,6 @@ std::vector<std::string> lists_of_project() {
   return lists;
 }
 
-bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 /// Whether a word stands in a text, behind `before` and not within a longer word.
 bool has_word(const std::string& text, const std::string& word, const std::string& before) {
   const std::string wanted = before + word;

@@ -37,8 +37,6 @@ struct Source {
   Words literals;  ///< texts in quotes
 };
 
-bool is_word_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 /// End of a comment that begins at a place, npos where none does.
 std::size_t end_of_comment(const std::string& text, std::size_t at) {
   if (text.compare(at, 2, "/*") == 0) return std::min(text.size(), text.find("*/", at)) + 2;
@@ -56,9 +54,9 @@ Source source_of(const std::string& text) {
       while (end < text.size() && text[end] != '"' && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
       source.literals.insert(text.substr(at + 1, end - at - 1));
       at = end + 1;
-    } else if (is_word_letter(text[at])) {
+    } else if (is_of_word(text[at])) {
       std::size_t end = at;
-      while (end < text.size() && is_word_letter(text[end])) ++end;
+      while (end < text.size() && is_of_word(text[end])) ++end;
       const std::string word = text.substr(at, end - at);
       source.names.insert(word);
       const std::string before = text.substr(at < 7 ? 0 : at - 7, std::min<std::size_t>(at, 7));
