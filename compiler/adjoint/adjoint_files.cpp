@@ -30,10 +30,6 @@ struct AdjointRow {
 /// Derivatives by these are members of every result; derived constants have them by parameters alone.
 constexpr Array kMembers[] = {Array::z, Array::zd, Array::x, Array::in, Array::par, Array::derived};
 
-int size_in(const EmitContext& context, Array array) {
-  return array == Array::derived ? derived_constant_count(context.programs) : size_of(context.layout, array);
-}
-
 ProgramShape shape_of(const EmitContext& context, const AdjointRow& row) {
   ProgramShape shape;
   shape.title = row.title;

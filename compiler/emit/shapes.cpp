@@ -62,12 +62,6 @@ std::string missing_value(Array array) {
              : "0.0";
 }
 
-/// Size of an array, including arrays whose size depends on the programs.
-int size_in(const EmitContext& context, Array array) {
-  if (array == Array::derived) return derived_constant_count(context.programs);
-  return array == Array::tangent ? tangent_count(context.programs) : size_of(context.layout, array);
-}
-
 /// Adds the places of an array in the struct of an argument, by coordinates or by number.
 void add_array(Places& places, const std::string& argument, Array array, const EmitContext& context) {
   const bool is_bare = array == Array::tau || array == Array::due;
@@ -236,6 +230,11 @@ ValueOrder order_of(const EmitContext& context, const ShapedProgram& shaped) {
 }
 
 }  // namespace
+
+int size_in(const EmitContext& context, Array array) {
+  if (array == Array::derived) return derived_constant_count(context.programs);
+  return array == Array::tangent ? tangent_count(context.programs) : size_of(context.layout, array);
+}
 
 LawShape law_shape(const EmitContext& context, std::size_t k) {
   const std::string number = k > 0 ? std::to_string(k + 1) : "";

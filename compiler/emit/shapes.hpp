@@ -127,6 +127,9 @@ struct ShapedProgram {
   Schedule schedule = {};
 };
 
+/// Size of an array, including arrays whose size depends on the programs.
+int size_in(const EmitContext& context, Array array);
+
 /// Number of constants that follow from tunable parameters.
 int derived_constant_count(const Programs& programs);
 

@@ -11,23 +11,15 @@
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/program.hpp"
 #include "tests/support/random_program.hpp"
+#include "tests/support/slot_numbers.hpp"
 
 namespace mbgen::adjoint_test {
 namespace {
 
-using Numbers = std::map<Slot, double>;
+using Numbers = SlotNumbers;
 
 constexpr auto kEvery = [](const Slot&) { return true; };
 constexpr auto kNone = [](const Slot&) { return false; };
-
-Numbers results_of(const Program& program, const Numbers& inputs) {
-  std::vector<double> given;
-  for (const Slot& slot : program.inputs) given.push_back(inputs.at(slot));
-  const std::vector<double> values = interpret(program, given);
-  Numbers results;
-  for (std::size_t i = 0; i < values.size(); ++i) results[program.outputs[i].slot] = values[i];
-  return results;
-}
 
 Slot derivative_slot(const Slot& slot) { return {derivative_of(slot.group), slot.index}; }
 
@@ -44,14 +36,14 @@ void expect_transposed(const Program& program, const Numbers& at, const std::str
   }
   for (const OutputValue& output : program.outputs) given[derivative_slot(output.slot)] = weight_of(output.slot);
   double forward = 0, size = 1, back = 0;
-  for (const auto& [slot, value] : results_of(differentiate(program, seeds), given)) {
+  for (const auto& [slot, value] : outputs_at(differentiate(program, seeds), given)) {
     if (slot.group.derivative == 0) continue;
     const double term = weight_of({SlotGroup(slot.group.array, slot.group.block), slot.index}) * value;
     forward += term;
     size += std::abs(term);
   }
   const Program adjoint_program = adjoint(contract(program), kEvery, kEvery, kNone);
-  for (const auto& [slot, value] : results_of(adjoint_program, given))
+  for (const auto& [slot, value] : outputs_at(adjoint_program, given))
     back += rate_of({SlotGroup(slot.group.array, slot.group.block), slot.index}) * value;
   EXPECT_NEAR(back, forward, 1e-12 * size) << what;
 }
@@ -72,7 +64,7 @@ TEST(AdjointProgram, KeepsResultsThatAreAskedFor) {
   const Program reversed = adjoint(
       program, kEvery, [](const Slot& slot) { return slot.group.array == Array::y; },
       [](const Slot& slot) { return slot.group.array == Array::pivot; });
-  const Numbers results = results_of(reversed, {{{Array::x, 0}, 3.0}, {{derivative_of(Array::y), 0}, 0.5}});
+  const Numbers results = outputs_at(reversed, {{{Array::x, 0}, 3.0}, {{derivative_of(Array::y), 0}, 0.5}});
   EXPECT_EQ(results, (Numbers{{{Array::pivot, 0}, 3.0}, {{derivative_of(Array::x), 0}, 3.0}}));
 }
 
@@ -80,7 +72,7 @@ TEST(AdjointProgram, SlopesWithoutBoundAreNotFinite) {
   ProgramBuilder builder("f");
   builder.output(Array::y, 0, builder.append(Op::sqrt, builder.input(Array::x, 0)));
   const Program reversed = adjoint(builder.finish(), kEvery, kEvery, kNone);
-  const Numbers results = results_of(reversed, {{{Array::x, 0}, 0.0}, {{derivative_of(Array::y), 0}, 1.0}});
+  const Numbers results = outputs_at(reversed, {{{Array::x, 0}, 0.0}, {{derivative_of(Array::y), 0}, 1.0}});
   EXPECT_FALSE(std::isfinite(results.at({derivative_of(Array::x), 0})));
 }
 

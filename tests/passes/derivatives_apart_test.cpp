@@ -11,21 +11,12 @@
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/program.hpp"
 #include "tests/support/random_program.hpp"
+#include "tests/support/slot_numbers.hpp"
 
 namespace mbgen {
 namespace {
 
-using Numbers = std::map<Slot, double>;
-
-/// All outputs by their slots, from inputs by theirs.
-Numbers outputs_at(const Program& program, const Numbers& inputs) {
-  std::vector<double> given;
-  for (const Slot& slot : program.inputs) given.push_back(inputs.at(slot));
-  const std::vector<double> values = interpret(program, given);
-  Numbers outputs;
-  for (std::size_t i = 0; i < values.size(); ++i) outputs[program.outputs[i].slot] = values[i];
-  return outputs;
-}
+using Numbers = SlotNumbers;
 
 constexpr auto kAll = [](const Slot&) { return true; };
 

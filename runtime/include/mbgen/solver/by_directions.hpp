@@ -25,8 +25,19 @@ bool is_finite_sum(const Adjoints& cost) noexcept {
   return is_finite(sum);
 }
 
-/// Values of a solver with derivatives at a state, and a seed of 1 for one number a direction. Numbers in this order:
-/// z, zd, x, inputs, parameters.
+/// The number at a place, in the order z, zd, x, inputs, parameters. state: has the first three.
+template <class System, class State, class Input, class Parameter>
+auto& number_at(State& state, int place, const Input& input, const Parameter& parameter) noexcept {
+  if (place < System::kCoordinates) return state.z[place];
+  place -= System::kCoordinates;
+  if (place < System::kCoordinates) return state.zd[place];
+  place -= System::kCoordinates;
+  if (place < System::kAuxiliaryStates) return state.x[place];
+  place -= System::kAuxiliaryStates;
+  return place < System::kInputs ? input(place) : parameter(place - System::kInputs);
+}
+
+/// Values of a solver with derivatives at a state, and a seed of 1 for one number a direction, see number_at.
 template <class System>
 struct Seeded {
   using Directions = typename System::Directions;
@@ -54,27 +65,18 @@ struct Seeded {
   }
 
   typename Directions::Real& number(int place) noexcept {
-    if (place < System::kCoordinates) return state.z[place];
-    place -= System::kCoordinates;
-    if (place < System::kCoordinates) return state.zd[place];
-    place -= System::kCoordinates;
-    if (place < System::kAuxiliaryStates) return state.x[place];
-    place -= System::kAuxiliaryStates;
-    if (place < System::kInputs) return inputs.*Directions::kInputMember[place];
-    return parameters.*Directions::kParameterMember[place - System::kInputs];
+    const auto input = [this](int i) -> auto& { return inputs.*Directions::kInputMember[i]; };
+    const auto parameter = [this](int i) -> auto& { return parameters.*Directions::kParameterMember[i]; };
+    return number_at<System>(state, place, input, parameter);
   }
 };
 
 /// The entry of the adjoints for a number of Seeded.
 template <class System>
 double& entry(typename System::Adjoints& cost, int place) noexcept {
-  if (place < System::kCoordinates) return cost.z[place];
-  place -= System::kCoordinates;
-  if (place < System::kCoordinates) return cost.zd[place];
-  place -= System::kCoordinates;
-  if (place < System::kAuxiliaryStates) return cost.x[place];
-  place -= System::kAuxiliaryStates;
-  return place < System::kInputs ? cost.inputs[place] : cost.parameters[place - System::kInputs];
+  const auto input = [&](int i) -> double& { return cost.inputs[i]; };
+  const auto parameter = [&](int i) -> double& { return cost.parameters[i]; };
+  return number_at<System>(cost, place, input, parameter);
 }
 
 /// Adds to `cost` the derivatives of weighted results by the numbers from `first_number` on, eight of them in each
