@@ -30,10 +30,11 @@ struct Residuals {
 
 /// The functions of one model. Arrays in the order of the model. Not for use by several threads at once.
 struct Engine {
-  std::string name;            ///< as on the command line
-  std::string form;            ///< of the equations, for tables
-  std::string linear_algebra;  ///< library behind it, "" for code of its own
-  int batch = 1;               ///< states that one call for accelerations takes
+  std::string name;             ///< as on the command line
+  std::string form;             ///< of the equations, for tables
+  std::string linear_algebra;   ///< library behind it, "" for code of its own
+  int batch = 1;                ///< states that one call for accelerations takes
+  bool follows_motion = false;  ///< its steps carry more than a state: nobody steps beside the motion
 
   /// Balls of the model whose charts steps change, for settle_charts and in_users_angles; none of a judge, whose states
   /// are in the angles of the model.

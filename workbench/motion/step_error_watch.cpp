@@ -28,7 +28,9 @@ StepErrorWatch::StepErrorWatch(const Compilation& compilation, const Engine& eng
       inputs_(inputs),
       every_(std::max(1L, settings.steps / kHalvedSteps)) {
   if (integrator != SolverSettings::Integrator::rosenbrock || !inputs || settings.is_error_controlled) return;
-  engine_ = engine;
+  EngineChoice own;
+  own.integrator = integrator;
+  engine_ = engine.follows_motion ? make_generic_engine(compilation, own) : engine;
   errors_.assign(compilation.topology.bodies.size(), 0.0);
   rates_ = errors_;
 }

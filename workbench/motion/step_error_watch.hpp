@@ -15,8 +15,8 @@ namespace mbgen {
 /// Errors of the rates of coordinates, at some steps of a motion.
 class StepErrorWatch {
  public:
-  /// engine: of the motion; inputs: of the run, null where a manoeuvre moves them, which is not watched; nor are other
-  /// integrators.
+  /// engine: of the motion, in whose place the generic one is taken where it follows the motion; inputs: of the run,
+  /// null where a manoeuvre moves them, which is not watched; nor are other integrators.
   StepErrorWatch(const Compilation& compilation, const Engine& engine, SolverSettings::Integrator integrator,
                  const SimulationSettings& settings, const InputsOverTime* inputs);
 

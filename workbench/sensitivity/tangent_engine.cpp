@@ -321,6 +321,7 @@ TangentEngine make_tangent_engine(const std::shared_ptr<const TangentTable>& tab
   TangentEngine result{memory, {}};
   Engine& engine = result.engine;
   engine.name = "generated";
+  engine.follows_motion = true;
   engine.form = name_of(written_form(compilation, choice.form));
   engine.balls = compilation.topology.balls;
   add_motion(memory, choice.integrator, engine);
