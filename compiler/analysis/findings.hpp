@@ -105,6 +105,14 @@ struct Analysis {
   /// root of the sum of squares is 1; the median over all configurations in which actuators move every direction.
   double typical_actuation = 0;
   std::vector<int> unactuated;  ///< tree coordinates that name directions which no actuator moves alone
+
+  // Defined in findings.cpp: every file that holds an analysis would compile copies of all its lists.
+  Analysis();
+  Analysis(const Analysis& other);
+  Analysis(Analysis&& other) noexcept;
+  Analysis& operator=(const Analysis& other);
+  Analysis& operator=(Analysis&& other) noexcept;
+  ~Analysis();
 };
 
 }  // namespace mbgen

@@ -122,6 +122,14 @@ struct Model {
   std::vector<DisplayShape> shapes;
   Initial initial;
   SolverSettings solver;
+
+  // Defined in model.cpp: every file that holds a model would compile copies of all its lists.
+  Model();
+  Model(const Model& other);
+  Model(Model&& other) noexcept;
+  Model& operator=(const Model& other);
+  Model& operator=(Model&& other) noexcept;
+  ~Model();
 };
 
 /// The freedom of a coordinate. Requires: a valid reference.

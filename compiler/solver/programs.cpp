@@ -30,6 +30,13 @@ void verify(const ProgramSpec& spec, const Program& program) {
 
 }  // namespace
 
+Programs::Programs() = default;
+Programs::Programs(const Programs& other) = default;
+Programs::Programs(Programs&& other) noexcept = default;
+Programs& Programs::operator=(const Programs& other) = default;
+Programs& Programs::operator=(Programs&& other) noexcept = default;
+Programs::~Programs() = default;
+
 const char* name_of(Form form) { return form == Form::matrix ? "matrix" : "recursive"; }
 
 Form other_form(Form form) { return form == Form::matrix ? Form::recursive : Form::matrix; }

@@ -96,6 +96,14 @@ struct Programs {
   Program accelerations, closure, closure_terms, accelerations_chosen, multipliers, outputs, sampled, ground_places,
       tangents, changes, inverse_dynamics, actuators, required_forces, derived_constants;
   Form form = Form::recursive;  ///< of `accelerations` and `accelerations_chosen`
+
+  // Defined in programs.cpp: every file that holds a set of programs would compile copies of all its lists.
+  Programs();
+  Programs(const Programs& other);
+  Programs(Programs&& other) noexcept;
+  Programs& operator=(const Programs& other);
+  Programs& operator=(Programs&& other) noexcept;
+  ~Programs();
 };
 
 /// Accelerations without the laws that elements share, and these laws.

@@ -110,6 +110,14 @@ struct Topology {
   std::vector<Ball> balls;               ///< with two charts, see find_balls
   std::vector<std::string> cut_reasons;  ///< per cut joint, reason of the cut: "marked", or the rule
   int size() const { return static_cast<int>(bodies.size()); }
+
+  // Defined in topology.cpp: every file that holds a topology would compile copies of all its lists.
+  Topology();
+  Topology(const Topology& other);
+  Topology(Topology&& other) noexcept;
+  Topology& operator=(const Topology& other);
+  Topology& operator=(Topology&& other) noexcept;
+  ~Topology();
 };
 
 /// Largest number of entries of a block Jacobian, and of its free directions Rz, for a new choice of the partition at
