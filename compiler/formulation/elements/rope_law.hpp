@@ -79,10 +79,14 @@ std::vector<A> slips_together(std::vector<std::vector<A>> shares, std::vector<A>
   return b;
 }
 
-/// A groove in the act of slipping: towards the larger tension, with weights of the spans' rates of stretch.
+/// A groove in the act of slipping, towards the larger tension.
 template <class A>
 struct SlippingGroove {
-  A way, excess, behind, before, sum, slides;
+  A way;             ///< 1 towards the span behind, -1 towards the span before
+  A excess;          ///< N, of the larger tension over exp(friction wrap) times the smaller one
+  A behind, before;  ///< N/m: loss of the excess by a metre of slip, by the change of either span
+  A sum;             ///< N/m, of both
+  A slides;          ///< share of the speed that would keep the excess: 0 where the groove sticks
 };
 
 template <class T, class A>
