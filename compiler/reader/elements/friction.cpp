@@ -209,7 +209,7 @@ int add_load(Reader& reader, const Value& value, const FrictionFields& friction)
     return -1;
   }
   if (find(value, "normal"))
-    report(reader, *find(value, "reaction"), "friction has both normal and reaction", "leave out one of them");
+    report(reader, *find(value, "reaction"), "friction has both \"normal\" and \"reaction\"", "leave out one of them");
   SampledValue load;
   load.name = friction.name + "_load";
   load.where = friction.where;
