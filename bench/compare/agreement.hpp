@@ -19,7 +19,7 @@ struct StatesInUse {
 };
 
 /// The states of `file` with the accelerations that it expects there (of massless rods when `rods_are_massless`), or,
-/// when `file` is "", random consistent ones as of `mbgen bench`, with the accelerations of `reference`.
+/// when `file` is "", random consistent ones as in `mbgen bench`, with the accelerations of `reference`.
 /// Fails: UserError as read_states and random_states.
 StatesInUse states_in_use(const Compilation& compilation, const std::string& file, bool rods_are_massless,
                           const Engine& projecting, const Contestant& reference);

@@ -10,17 +10,17 @@ namespace mbgen {
 /// The x nearest to zero of all x with the least |a x - b|. Pivots below `threshold` times the largest count as zero.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double threshold);
 
-/// Orthonormal directions, as columns, in which a x does not change; threshold as of least_squares.
+/// Orthonormal directions, as columns, in which a x does not change; threshold as in least_squares.
 Eigen::MatrixXd indifferent_directions(const Eigen::MatrixXd& a, double threshold);
 
-/// A basis, as columns, of the null space of `a`, by Gauss elimination with full pivoting; threshold as of
+/// A basis, as columns, of the null space of `a`, by Gauss elimination with full pivoting; threshold as in
 /// least_squares. No columns when there is nothing but zero.
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& a, double threshold);
 
 /// Place of every row in the order in which full pivoting takes them.
 std::vector<int> pivot_places(const Eigen::MatrixXd& a);
 
-/// The columns that a QR factorisation with column pivoting takes, in its order, up to the rank; threshold as of
+/// The columns that a QR factorisation with column pivoting takes, in its order, up to the rank; threshold as in
 /// least_squares.
 std::vector<int> leading_columns(const Eigen::MatrixXd& a, double threshold);
 

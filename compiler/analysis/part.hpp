@@ -11,7 +11,7 @@
 namespace mbgen {
 
 /// A unit-free Jacobian has its number of larger singular values as rank; closures are exact to 1e-11. Pivots of the
-/// solver are judged by kRankTolerance of mbgen/precision.hpp.
+/// solver are judged by kRankTolerance of mbgen/math/precision.hpp.
 constexpr double kLeastSingularValue = 1e-8;
 
 /// Some loops of a block with the joints that they constrain; rows and columns local to the block, ascending.

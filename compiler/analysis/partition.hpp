@@ -18,7 +18,7 @@ double typical_pivot(const std::vector<Eigen::MatrixXd>& jacobians, int rank, co
                      const LateRows& late = {});
 
 /// The rows of velocities alone of a block (local), where the generic rank leaves some of them out; `late.equations` is
-/// empty where it does not. jacobians: as of choose_partition, driven: likewise.
+/// empty where it does not. jacobians: as in choose_partition, driven: likewise.
 LateRows late_rows(const std::vector<Eigen::MatrixXd>& jacobians, int rank, const std::vector<int>& driven,
                    const std::vector<int>& velocity_rows);
 

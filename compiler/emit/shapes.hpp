@@ -106,7 +106,7 @@ struct ProgramShape {
   std::size_t longest_statement = kLineWidth;
   /// Start of the names of structs of values that cross its parts, empty: the result's name.
   std::string work = {};
-  /// Part of the file that defines the function, see file_parts.hpp.
+  /// Part of the file that defines the function, see EmittedFile::rare_parts.
   int file_part = 0;
 };
 

@@ -141,7 +141,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
                                       : ""},
       {"all_parts", rare_parts + 1},
       {"for_importers", for_importers},
-      // An FMU checks rotations by itself, see mbgen/fmu_turns.hpp.
+      // An FMU checks rotations by itself, see mbgen/fmu/fmu_turns.hpp.
       {"turning", for_importers ? "" : turning_table(context, context.options.scalar)},
       {"pairs", context.in_pairs},
       {"has_quantities", has_quantities(context)},

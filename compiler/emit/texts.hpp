@@ -55,9 +55,10 @@ std::string c_header_text(const EmitContext& context);
 std::string c_source_text(const EmitContext& context);
 
 /// `<model>.py`: ctypes and numpy over the shared library, without compilation.
+std::string python_text(const EmitContext& context);
+
 /// `<model>_tangents_c.h`, `.cpp` and `<model>_tangents.py`: the solver with derivatives in C and Python.
 std::vector<EmittedFile> tangents_c_files(const EmitContext& context);
-std::string python_text(const EmitContext& context);
 
 /// `<model>.a2l`: parameters as characteristics; inputs, outputs and state as measurements; each with its unit and its
 /// place in a structure of the C interface. Source: ASAM MCD-2 MC (ASAP2), version 1.6.

@@ -147,7 +147,7 @@ T integral_within(const Table& table, const T& at) {
 
 }  // namespace detail
 
-/// Integral of y over the argument, from zero; units of y times units of x. Cost: as of value_along.
+/// Integral of y over the argument, from zero; units of y times units of x. Cost: as in value_along.
 template <class T>
 T integral_along(const Table& table, const T& argument) {
   const auto from_start = [&](const auto& to) {

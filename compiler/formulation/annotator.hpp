@@ -28,7 +28,7 @@ struct Annotator {
   /// parts: of the name; where nobody reads it, nobody puts it together.
   template <class... Parts>
   void name(const T&, const Parts&...) {}
-  /// Names a number of the model. parts: as of `name`.
+  /// Names a number of the model. parts: as in `name`.
   template <class... Parts>
   void constant(T&, const Parts&...) {}
   /// Names a value or a number of programs for reading, where everything has a name; no other program changes by it.

@@ -328,23 +328,6 @@ BlockClosure<T> closure(System<T>& system, const Kinematics<T>& k, const LoopBlo
   return result;
 }
 
-/// The acceleration right-hand side of a block alone (step 6).
-template <class T>
-std::vector<T> closure_acceleration(System<T>& system, const Kinematics<T>& k, const LoopBlock& block,
-                                    const RelativeMotion<T>& motion) {
-  std::vector<T> result;
-  for (int l : block.loops) {
-    const Loop& loop = system.topology.loops[l];
-    if (loop.kind == ClosureKind::coupling) {
-      result.push_back(-coupling_equation(system, loop).acceleration);
-      continue;
-    }
-    for (const detail::Row<T>& row : detail::loop_rows(system, k, motion, loop, block.base))
-      result.push_back(-row.acceleration);
-  }
-  return result;
-}
-
 /// Values per equation, given block by block, in the order of Topology::loops.
 template <class T>
 std::vector<T> in_loop_order(const Topology& topology, const std::vector<std::vector<T>>& by_block) {

@@ -24,7 +24,7 @@ struct UsersAngles {
   T z[3], zd[3], zdd[3];
 };
 
-/// a, w: angles, rates and accelerations of chart 1, right-handed.
+/// z, zd, zdd: angles, rad, rates and accelerations of chart 1, right-handed.
 template <class T>
 UsersAngles<T> users_angles(const T (&z)[3], const T (&zd)[3], const T (&zdd)[3]) {
   using std::atan2, std::cos, std::sin;

@@ -44,7 +44,7 @@ enum class Array : std::uint8_t {
   step,                 ///< of the implicit equations, the method's factor times the step, s
   state_pivot,          ///< of the equations of an implicit step, one a state of the user's own
   t,                    ///< time
-  tangent,              ///< of the implicit equations, one after another; see formulation/implicit.hpp
+  tangent,              ///< of the implicit equations, one after another; see formulation/implicit/implicit.hpp
   tau,                  ///< joint forces
   x,                    ///< auxiliary states
   xd,                   ///< their rates

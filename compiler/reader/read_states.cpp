@@ -38,7 +38,8 @@ int read_delay(Reader& reader, const Value& value, const SampledValueFields& sam
 /// Source of a sampled value that is a reaction.
 void read_source(Reader& reader, const Value& value, SampledValueFields& one) {
   if (one.written && one.reaction) {
-    report(reader, *find(value, "reaction"), "sampled value has both value and reaction", "leave out one of them");
+    report(reader, *find(value, "reaction"), "sampled value has both \"value\" and \"reaction\"",
+           "leave out one of them");
   } else if (one.reaction) {
     one.load = read_reaction(reader, value, one);
     if (one.unit.empty()) one.unit = unit_of(*one.load);

@@ -98,7 +98,7 @@ Status GenericSolver::project(GenericState& state) const {
       std::transform(closures[b].residual.begin(), closures[b].residual.end(), right_hand_side[b].begin(),
                      std::negate<>());
     }
-    // Angles of many turns round above the tolerance, as in mbgen/closure.hpp.
+    // Angles of many turns round above the tolerance, as in mbgen/solver/closure.hpp.
     if (open < 0 || (!(size < 0.5 * previous) && size <= kRoundingFloor<double>)) break;
     previous = size;
     if (step == kNewtonIterations) return {Code::loop_not_closed, open};

@@ -10,8 +10,8 @@ namespace mbgen {
 /// the others and becomes independent; rows that never got a pivot are redundant.
 class PaperLu {
  public:
-  /// candidates: the first columns, which may get a pivot. groups: per candidate, any number; of each group at most
-  /// most_of[group] get one.
+  /// group_of_candidate: a group, any number, for each of the first columns, which may get a pivot; of each group at
+  /// most most_of[group] get one.
   PaperLu(int rows, int columns, std::vector<int> group_of_candidate, std::vector<int> most_of);
 
   /// The matrix to fill in before factorise, column-major, zeros from the start; it is consumed.

@@ -69,7 +69,7 @@ class CartesianSystem {
   /// unchanged.
   Status sample(CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd, const Eigen::VectorXd& lambda,
                 double h, bool& any) const;
-  /// Sets the values that are loads of reactions in z, which has the coordinates at this state. lambda: as of sample.
+  /// Sets the values that are loads of reactions in z, which has the coordinates at this state. lambda: as in sample.
   void set_friction_loads(const CartesianState& state, const Eigen::VectorXd& lambda, GenericState& z) const;
   /// Moves the bodies by a small displacement (m, rad), n values; velocities are unchanged.
   void displace(CartesianState& state, const Eigen::VectorXd& dq) const;
@@ -95,7 +95,7 @@ class CartesianSystem {
                          const Eigen::VectorXd& qdd, const Eigen::VectorXd& lambda) const;
 
  private:
-  /// Values of Model::observed. Arguments as of `outputs`.
+  /// Values of Model::observed. Arguments as in `outputs`.
   std::vector<double> observed(const CartesianState& state, const GenericState& z, const Eigen::VectorXd& qdd,
                                const Eigen::VectorXd& lambda) const;
   /// Per sampled value the magnitude of its reaction, N or N m; zero for a value that is none.

@@ -9,7 +9,7 @@ const char* const kJudges[] = {"augmented", "range-space", "null-space", "maggi"
 
 class JudgesOnVehicles : public CommandLine, public ::testing::WithParamInterface<const char*> {};
 
-// The reference was made by foreign software: reference/README.md.
+// The reference was made by foreign software: tests/data/reference/README.md.
 TEST_P(JudgesOnVehicles, AccelerationsEqualTheReference) {
   const std::string vehicle = kSource + "/tests/data/reference/" + GetParam() + "_states.json";
   Json reference = Json::parse(std::ifstream(vehicle));

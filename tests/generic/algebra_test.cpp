@@ -93,7 +93,7 @@ void PrintTo(const AlgebraCase& which, std::ostream* out) { *out << which.name; 
 
 class AlgebrasAtReferenceStates : public ::testing::TestWithParam<AlgebraCase> {};
 
-// The truck has eleven redundant equations; the reference is good to 1e-11 (reference/README.md).
+// The truck has eleven redundant equations; the reference is good to 1e-11 (tests/data/reference/README.md).
 TEST_P(AlgebrasAtReferenceStates, EveryAlgebraGivesTheirAccelerations) {
   const Mechanism m = load(GetParam().model);
   const auto file = nlohmann::json::parse(std::ifstream(source_path(GetParam().states)));

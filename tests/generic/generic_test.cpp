@@ -42,7 +42,7 @@ TEST(LargestAbsolute, IsNaNWhereverOneStands) {
 
 class ReferenceStates : public ::testing::TestWithParam<ReferenceCase> {};
 
-// The reference itself is good to 1e-11 (reference/README.md); what we see is 2e-13.
+// The reference itself is good to 1e-11 (tests/data/reference/README.md); what we see is 2e-13.
 TEST_P(ReferenceStates, AccelerationsWithMassiveRods) {
   EXPECT_LT(worst_error(load(GetParam().model), GetParam().states, &ReferenceState::zdd), 1e-11);
 }
@@ -111,7 +111,7 @@ TEST_P(EveryModel, EnergyChangesByTheAppliedPower) {
     const double h = 1e-5;
     const auto difference = [&](double step) { return (energy_after(step) - energy_after(-step)) / (2 * step); };
     const double rate = (4 * difference(h / 2) - difference(h)) / 3;  // stiff rubber bends the energy over h
-    double traffic = std::abs(here.applied_power);  // sum of the powers that pass through the joints
+    double traffic = std::abs(here.applied_power);                    // sum of the powers that pass through the joints
     for (std::size_t i = 0; i < tau.size(); ++i) traffic += std::abs(tau[i] * state.zd[i]);
     EXPECT_NEAR(rate, here.applied_power, 1e-6 * traffic + 1e-7 * std::abs(here.kinetic_energy) / h * 1e-4 + 1e-6);
   }

@@ -195,7 +195,7 @@ double worst_error(const Mechanism& m, const std::string& vehicle, std::vector<d
   return worst;
 }
 
-// The reference is good to 1e-11 (reference/README.md).
+// The reference is good to 1e-11 (tests/data/reference/README.md).
 TEST_P(Vehicle, AccelerationsAreThoseOfTheReference) {
   Mechanism m = load("models/" + GetParam() + "_mechanism.json");
   EXPECT_LT(worst_error(m, GetParam(), &ReferenceState::zdd), 1e-11);

@@ -1,6 +1,6 @@
 #pragma once
 // Reference states of the vehicles and of mechanisms that were refused: accelerations of an independent solver
-// (shared/reference/README.md).
+// (tests/data/reference/README.md).
 
 #include <gtest/gtest.h>
 

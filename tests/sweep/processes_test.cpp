@@ -104,7 +104,7 @@ TEST_F(SweepProcesses, OtherWordsAreNotMixed) {
   mbgen("sweep spring.json --vary mass=1,2 --metric 'max(x)' --engine generic --out sweep.csv");
   const std::string other = "sweep spring.json --vary mass=1,3 --metric 'max(v)' --engine generic --out sweep.csv";
   const std::string hint =
-      "\n  hint: run with the words of before to go on with it, with --restart to begin anew, or with another --out\n";
+      "\n  hint: run the command as before to go on with it, with --restart to begin anew, or with another --out\n";
   const Outcome run = mbgen(other);
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.err, "sweep.csv.journal: holds cases of another study, they differ in: vary, metric" + hint);

@@ -93,8 +93,8 @@ void add_cache(NamedCommand application, int& exit_code) {
   NamedCommand command = application.add_command("cache", "list, limit or remove the compiled solvers that are kept");
   command.footer(
       "Example: mbgen cache --limit 500\n"
-      "simulate, sweep, evaluate and bench keep the solvers that they compile, and load them again as long as the\n"
-      "equations stay the same. Beyond the limit the least recently used ones are removed.");
+      "simulate, sweep, fit, optimise, evaluate and bench keep the solvers that they compile, and load them again as\n"
+      "long as the equations stay the same. Beyond the limit the least recently used ones are removed.");
   command.add_option("--limit", options->limit, "megabytes that they may take together from now on (default 1024)");
   command.add_flag("--clean", options->clean, "remove them all");
   add_json_option(command, options->json);

@@ -101,7 +101,7 @@ void add_fit(NamedCommand application, int& exit_code) {
       .add_option(
           "--target", fit.targets,
           "MEASURE=VALUE:SIGMA: single numbers, as start:OUTPUT, mode:K:frequency, mode:K:damping, kc:AXLE:FIGURE, a "
-          "metric as of sweep, or a number of the manoeuvre; separated by commas")
+          "metric as in sweep, or a number of the manoeuvre; separated by commas")
       .one_value_at_a_time();
   command.add_option("--manoeuvre", fit.manoeuvres, "manoeuvre file, whose numbers are targets; may be repeated")
       .one_value_at_a_time();

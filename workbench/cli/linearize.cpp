@@ -337,11 +337,12 @@ int run(const LinearizeOptions& options) {
 
 void add_linearize(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<LinearizeOptions>();
-  NamedCommand command = application.add_command("linearize", "linear equations and modes about a state");
+  NamedCommand command = application.add_command("linearize", "print linear equations and modes about a state");
   command.footer(
       "Example: mbgen linearize models/coach.json --at equilibrium --report modes.html\n"
-      "States are positions and velocities of the independent coordinates and the slips of the tyres; the loops stay\n"
-      "closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all coordinates.\n"
+      "States are positions and velocities of the independent coordinates, slips of the tyres and states of the\n"
+      "model; the loops stay closed. --json and --out give A, B, C, D, the eigenvalues and the mode shapes over all\n"
+      "coordinates.\n"
       "--report writes a page that animates the mode shapes: one file that needs no network.");
   add_model_argument(command, options->model);
   add_set_option(command, options->set);

@@ -108,7 +108,7 @@ void add_optimise(NamedCommand application, int& exit_code) {
       "             --goal \"min:rms(body_acceleration)\" --constraint \"range(spring_length)<=0.04\" -o best.json\n"
       "MEASURE is start:OUTPUT, mode:K:frequency, mode:K:damping, kc:AXLE:FIGURE, kc:AXLE:CURVE:COLUMN, a metric of "
       "the\n"
-      "motion as of sweep, or a number of the manoeuvre. FILE.journal beside --out keeps the evaluations. See\n"
+      "motion as in sweep, or a number of the manoeuvre. FILE.journal beside --out keeps the evaluations. See\n"
       "docs/use/optimise.md.");
   optimise::OptimiseArguments& search = options->search;
   add_model_argument(command, search.model.path);

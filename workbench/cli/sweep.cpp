@@ -200,7 +200,7 @@ int run(const SweepOptions& options) {
 void add_sweep(NamedCommand application, int& exit_code) {
   const auto options = std::make_shared<SweepOptions>();
   NamedCommand command =
-      application.add_command("sweep", "a parameter study: metrics of a motion over a grid of values");
+      application.add_command("sweep", "run a parameter study: metrics of a motion over a grid of values");
   command.footer(
       "Example: mbgen sweep models/coach.json --vary speed=15:5:25 --vary bar_front=6e3,8e3,10e3 \\\n"
       "             --metric \"max(abs(roll)) * 57.3\" --metric \"rms(yaw_rate)\" --out sweep.csv\n"
@@ -221,7 +221,9 @@ void add_sweep(NamedCommand application, int& exit_code) {
                   "(manoeuvre.speed); repeat")
       .required()
       .one_value_at_a_time();
-  command.add_option("--metric", study.metrics, "a number of each motion, or name=number; may be repeated")
+  command
+      .add_option("--metric", study.metrics,
+                  "an expression for a number of each motion, or name=expression; may be repeated")
       .one_value_at_a_time();
   command.add_option("--manoeuvre", study.manoeuvre,
                      "file of a manoeuvre that each case drives; its metrics are columns of the table");

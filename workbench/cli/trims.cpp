@@ -202,7 +202,7 @@ std::string table_svg(const TrimStudy& study) {
   return plot_svg(abscissa, panels);
 }
 
-/// The start of a search: the model's initial state, without its static equilibrium where there is none, as of a
+/// The start of a search: the model's initial state, without its static equilibrium where there is none, as for a
 /// vehicle on a hill. No rest is needed for a steady motion.
 OperatingPoint start_of(const Compilation& level, const std::vector<std::string>& inputs) {
   StateArguments start;

@@ -35,13 +35,6 @@ constexpr Maker kMakers[] = {{"generated", Coordinates::relative, make_generated
                              {"null-space", Coordinates::cartesian, make_judge<CartesianMethod::null_space>},
                              {"maggi", Coordinates::cartesian, make_judge<CartesianMethod::maggi>}};
 
-std::vector<std::string> names_where(const std::function<bool(const Maker&)>& condition) {
-  std::vector<std::string> names;
-  for (const Maker& maker : kMakers)
-    if (condition(maker)) names.push_back(maker.name);
-  return names;
-}
-
 /// Names of everything that a status may be about.
 std::vector<std::string> names_of(const Compilation& compilation, Subject subject) {
   const Model& model = compilation.model;
@@ -109,13 +102,11 @@ std::string universal_text(const Compilation& compilation, Status status) {
 }  // namespace
 
 const std::vector<std::string>& engine_names() {
-  static const std::vector<std::string> names = names_where([](const Maker&) { return true; });
-  return names;
-}
-
-const std::vector<std::string>& relative_engine_names() {
-  static const std::vector<std::string> names =
-      names_where([](const Maker& maker) { return maker.coordinates == Coordinates::relative; });
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Maker& maker : kMakers) all.push_back(maker.name);
+    return all;
+  }();
   return names;
 }
 

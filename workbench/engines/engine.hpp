@@ -105,11 +105,8 @@ struct EngineChoice {
 /// Names of the engines there are.
 const std::vector<std::string>& engine_names();
 
-/// The engines that work in relative coordinates and integrate by every integrator; the others are the Cartesian
-/// judges, which integrate by rk4 and have a stabilisation.
-const std::vector<std::string>& relative_engine_names();
-
-/// Whether an engine is one of the Cartesian judges.
+/// Whether an engine is one of the Cartesian judges, which integrate by rk4 and have a stabilisation; the others work
+/// in relative coordinates and integrate by every integrator.
 bool is_cartesian(const std::string& name);
 
 /// The engine of this name. Fails: UserError for a name that is unknown, or when the solver cannot be compiled.

@@ -69,7 +69,7 @@ double roll_rate(const AxleState& axle);
 double longitudinal_slope(const AxleState& axle, TorqueSupport support);
 
 /// Share of Ackermann's difference of the steer angles, counted from the angles at the start; 1 if the axles of all
-/// wheels intersect in one point, NaN without steering. angles: rad, to the left; track, wheelbase: m.
+/// wheels intersect in one point, NaN without steering. left, right: rad, to the left; track, wheelbase: m.
 double ackermann(double left, double right, double track, double wheelbase);
 
 /// Direction of a load at the wheel with unit size: along `forward` and `left` at the contact patch or the centre, or a

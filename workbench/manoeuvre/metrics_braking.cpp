@@ -1,5 +1,5 @@
-// Braking to standstill: mean fully developed deceleration by UN Regulation 13, annex 4; deviation on split friction as
-// of ISO 14512.
+// Braking to standstill: mean fully developed deceleration by UN Regulation 13, annex 4; deviation on split friction
+// by ISO 14512.
 
 #include <fmt/format.h>
 

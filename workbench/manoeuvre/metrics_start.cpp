@@ -1,4 +1,4 @@
-// Start from standstill: times to speeds, and the way that the vehicle rolls back.
+// Start from standstill: times to speeds, and the distance that the vehicle rolls back.
 
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ VehicleMetrics start_metrics(const VehicleSeries& s, const StandingStart& start)
     const double time = time_of(s, speed / 3.6, start.at);
     if (std::isfinite(time))
       add(metrics, fmt::format("time_to_{}", speed), time - start.at, "s",
-          fmt::format("from the begin of the drive to {} km/h", speed));
+          fmt::format("from the start of the drive to {} km/h", speed));
   }
   add(metrics, "distance", ways.back(), "m", "at the end");
   add(metrics, "speed", s.speed.back(), "m/s", "at the end");

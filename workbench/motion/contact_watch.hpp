@@ -20,12 +20,8 @@ class ContactWatch {
   /// Whether the motion's samples need their multipliers.
   bool needs_multipliers() const { return !contacts_.empty(); }
   void add(const Sample& sample);
-  /// Adds what contacts did to the findings about a motion.
+  /// Adds contacts that pulled, and discs that fell flat, to the findings about a motion.
   void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
-  /// A warning for each contact that pulled, with the first time and the largest force.
-  std::vector<std::string> warnings() const;
-  /// Reason why the motion is wrong: a disc fell flat, where its contact jumps to the other side; empty if none did.
-  std::string failure() const;
 
  private:
   struct Contact {
@@ -38,6 +34,10 @@ class ContactWatch {
     double flat = -1;                                   ///< s, when a disc was first flat; -1: never
   };
   Eigen::Vector3d forward_of(const Contact& contact, const std::vector<Pose>& poses) const;
+  /// A warning for each contact that pulled, with the first time and the largest force.
+  std::vector<std::string> warnings() const;
+  /// Reason why the motion is wrong: a disc fell flat, where its contact jumps to the other side; empty if none did.
+  std::string failure() const;
 
   const Compilation& compilation_;
   std::optional<GenericSolver> solver_;  ///< for poses, where there are contacts

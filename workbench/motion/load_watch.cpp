@@ -31,20 +31,14 @@ void LoadWatch::add(const Sample& sample) {
   }
 }
 
-std::vector<std::string> LoadWatch::warnings() const {
-  std::vector<std::string> texts;
+void LoadWatch::judge(const SimulationSummary&, StepVerdict& verdict) const {
   for (const Load& load : loads_) {
     if (!(load.jump > kLoadJump * load.scale)) continue;
-    texts.push_back(fmt::format(
+    verdict.warnings.push_back(fmt::format(
         "x.{} jumps by {:.3g} {} before t = {:.6g} s, {:.0f} % of its largest value: what it presses follows up to "
         "{:g} s late; give it a shorter \"period\" and step, or see docs/use/friction.md",
         load.value->name, load.jump, load.value->unit, load.time, 100 * load.jump / load.scale, load.value->period));
   }
-  return texts;
-}
-
-void LoadWatch::judge(const SimulationSummary&, StepVerdict& verdict) const {
-  for (std::string& warning : warnings()) verdict.warnings.push_back(std::move(warning));
 }
 
 }  // namespace mbgen

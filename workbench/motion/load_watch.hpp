@@ -15,10 +15,9 @@ class LoadWatch {
   explicit LoadWatch(const Model& model);
 
   void add(const Sample& sample);
-  /// Adds what loads did to the findings about a motion.
+  /// Adds a warning for each load that jumped to the findings about a motion, with the time and size of its largest
+  /// jump.
   void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
-  /// A warning for each load that jumped, with the first time and the largest jump.
-  std::vector<std::string> warnings() const;
 
  private:
   struct Load {

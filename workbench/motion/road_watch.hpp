@@ -19,12 +19,12 @@ class RoadWatch {
   void add(const Sample& sample) { add(sample.state); }
   /// Adds the cause to the findings about a motion that ended with values that are not numbers.
   void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
-  /// The wheel that was beyond a border at the last sample, or will be after twice its last displacement; empty if
-  /// there is none.
-  std::string departure() const;
 
  private:
   void add(const GenericState& state);
+  /// The wheel that was beyond a border at the last sample, or will be after twice its last displacement; empty if
+  /// there is none.
+  std::string departure() const;
   struct Wheel {
     const Tyre* tyre;
     const RoadGrid* grid;

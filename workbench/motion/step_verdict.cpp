@@ -226,7 +226,7 @@ struct StepJudge {
   }
 };
 
-/// R(z) of ROS34PW2 with its matrix exact: the stages of mbgen/rosenbrock.hpp for y' = z y and a step of 1.
+/// R(z) of ROS34PW2 with its matrix exact: the stages of mbgen/solver/rosenbrock.hpp for y' = z y and a step of 1.
 std::complex<double> factor_of_rosenbrock(std::complex<double> z) {
   using namespace integrator_detail;
   const std::complex<double> reciprocal = 1.0 / (1.0 / kRosenbrockFactor - z);

@@ -16,7 +16,8 @@ class TouchWatch {
   TouchWatch(const Compilation& compilation, const SimulationSettings& settings);
 
   void add(const Sample& sample);
-  /// Warns of each contact with a touch of fewer than kStepsOfTouch steps and no small load.
+  /// Warns of the contact with the hardest touch of fewer than kStepsOfTouch steps and no small load, and counts the
+  /// others.
   void judge(const SimulationSummary& summary, StepVerdict& verdict) const;
 
  private:

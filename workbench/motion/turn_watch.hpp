@@ -8,8 +8,8 @@
 
 namespace mbgen {
 
-/// Rotations of all coordinates within a step. A rotation that changes no acceleration, as of an axisymmetric wheel, is
-/// unlimited: this is tested at states along the motion.
+/// Rotations of all coordinates within a step. A rotation that changes no acceleration, like the spin of an
+/// axisymmetric wheel, is unlimited: this is tested at states along the motion.
 class TurnWatch {
  public:
   /// step: s.

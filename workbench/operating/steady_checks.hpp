@@ -17,7 +17,7 @@ constexpr double kSteady = 1e-7;  ///< rad/s^2 or m/s^2; for auxiliary states 1/
 /// Norms of columns, at least 1e-12, as scales: inputs have different units.
 Eigen::VectorXd column_sizes(const Eigen::MatrixXd& matrix);
 
-/// Linear equations whose columns have one size, and if asked their rows too: accelerations of stiff parts, as of
+/// Linear equations whose columns have one size, and if asked their rows too: accelerations of stiff parts, as in
 /// beams, would hide others; rounding of light parts would count as much as all the rest.
 class ScaledSystem {
  public:

@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/model/vectors.hpp"
+
 namespace mbgen {
 namespace {
 
 constexpr double kAlong = 1e-9;  // tolerance of directions
 
-double along(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector3 across_both(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Whether gravity and roads are invariant under rotation about an axis.
 bool is_upright(const Model& model, const Vector3& axis) {
   const auto is_along = [&](const Vector3& up) {
-    return std::abs(along(axis, up)) >= (1 - kAlong) * std::hypot(up[0], up[1], up[2]);
+    return std::abs(dot(axis, up)) >= (1 - kAlong) * norm(up);
   };
   const Vector3 gravity{model.gravity[0].value, model.gravity[1].value, model.gravity[2].value};
   return is_along(gravity) && (model.tyres.empty() || is_along({0, 0, 1}));
@@ -31,7 +27,7 @@ std::vector<int> translations_across(const Topology& topology, int turning) {
        p = topology.bodies[static_cast<std::size_t>(p)].parent) {
     const TreeBody& carrier = topology.bodies[static_cast<std::size_t>(p)];
     if (carrier.kind != FreedomKind::prismatic) return {};
-    if (std::abs(along(carrier.axis, axis)) < kAlong) across.push_back(p);
+    if (std::abs(dot(carrier.axis, axis)) < kAlong) across.push_back(p);
   }
   return across;
 }
@@ -47,7 +43,7 @@ std::vector<TurningFrame> turning_frames(const Model& model, const Topology& top
     if (topology.bodies[static_cast<std::size_t>(i)].kind != FreedomKind::revolute) continue;
     const std::vector<int> across = translations_across(topology, i);
     if (across.size() != 2 || !std::ranges::all_of(across, is_free) || !is_upright(model, axis_of(i))) continue;
-    const bool in_order = along(axis_of(i), across_both(axis_of(across[0]), axis_of(across[1]))) > 0;
+    const bool in_order = dot(axis_of(i), cross(axis_of(across[0]), axis_of(across[1]))) > 0;
     frames.push_back({i, {across[in_order ? 0 : 1], across[in_order ? 1 : 0]}});
   }
   return frames;

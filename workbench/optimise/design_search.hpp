@@ -37,8 +37,8 @@ double size_of(const DesignProblem& problem, std::optional<std::size_t> goal, co
 /// The programme of a task. Rows of constraints are in the order of the problem's; the bounded goal comes last.
 ProgrammePoint point_of(const DesignProblem& problem, const DesignTask& task, const Design& design);
 
-/// Searches from the start of the task. Result: nothing where the model has no result there. goes_on: asked before
-/// every evaluation, with the cost of the last.
+/// Searches from the start of the task. Result: nothing where the model has no result there, or where
+/// problem.is_stopped ends the search.
 std::optional<SearchedDesign> search_design(const DesignProblem& problem, const DesignTask& task, Designs& designs);
 
 /// Searches from several starts, the first of which is the task's, the others evenly spread over the bounds.

@@ -21,7 +21,7 @@ constexpr const char* kConstraintGrammar = "MEASURE<=LIMIT, MEASURE>=LIMIT, MEAS
 
 std::string trimmed_text(const std::string& text) { return std::string(without_blanks(text)); }
 
-/// A number at the begin of a text, and the rest, which may be a unit; none for other texts.
+/// A number at the start of a text, and the rest, which may be a unit; none for other texts.
 std::optional<std::pair<double, std::string>> number_with_unit(const std::string& text) {
   double value = 0;
   const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
@@ -117,7 +117,7 @@ std::size_t WishReader::add_measure(const std::string& option, const std::string
   return wishes_.measures.size() - 1;
 }
 
-/// Takes "NAME=" off the begin of a goal.
+/// Takes "NAME=" off the start of a goal.
 std::string take_name(std::string& text) {
   const std::size_t sign = text.find('=');
   const std::size_t colon = text.find(':');

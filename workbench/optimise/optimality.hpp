@@ -28,9 +28,9 @@ constexpr double kSmallRest = 1e-4;
 constexpr double kActivePart = 1e-6;
 
 /// Multipliers by least squares with signs (C. L. Lawson, R. J. Hanson, Solving Least Squares Problems, 1974, ch. 23),
-/// of active constraints and bounds. size: of the goal and its
-/// gradient in the search, so that the rest does not depend on scales. beside: gradients around a corner of the goal,
-/// whose best convex combination with the point's stands for it. Requires: the point has derivatives; size > 0.
+/// of active constraints and bounds. size: of the goal and its gradient in the search, so that the rest does not depend
+/// on scales. beside: gradients around a corner of the goal, whose best convex combination with the point's stands for
+/// it. Requires: the point has derivatives; size > 0.
 Optimality optimality_at(const ProgrammePoint& point, const Eigen::VectorXd& variables, const Eigen::VectorXd& lower,
                          const Eigen::VectorXd& upper, double size, const std::vector<Eigen::VectorXd>& beside = {});
 

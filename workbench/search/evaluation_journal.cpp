@@ -59,8 +59,8 @@ void EvaluationJournal::read(const std::string& text, const std::string& command
     throw UserError(fmt::format("{}: is not a journal of mbgen {}; choose another --out\n", path_.string(), command));
   if (first != any_journal(command) + "1 " + description)
     throw UserError(
-        fmt::format("{}: belongs to another run of mbgen {}: its model, data or options differ\n  hint: run with the "
-                    "words of before to go on with it, with --restart to begin anew, or with another "
+        fmt::format("{}: belongs to another run of mbgen {}: its model, data or options differ\n  hint: run the "
+                    "command as before to go on with it, with --restart to begin anew, or with another "
                     "--out\n",
                     path_.string(), command));
   for (const std::string& line : split_at(std::string_view(text).substr(end + 1), '\n')) {

@@ -27,9 +27,9 @@ struct Measure {
   std::vector<double> at = {};  ///< wanted abscissas of a curve; none: the rig's own points
 };
 
-/// Measures of both kinds of grammar for messages.
+/// All forms of a measure, for messages.
 constexpr const char* kMeasures =
-    "start:OUTPUT, mode:K:frequency, mode:K:damping, kc:AXLE:FIGURE, kc:AXLE:CURVE:COLUMN, a metric as of sweep, or a "
+    "start:OUTPUT, mode:K:frequency, mode:K:damping, kc:AXLE:FIGURE, kc:AXLE:CURVE:COLUMN, a metric as in sweep, or a "
     "number of a manoeuvre";
 
 /// Reads a measure. option: of its text, for messages; manoeuvres: files that are driven, none: the model moves by

@@ -1,5 +1,6 @@
 #pragma once
-// Unknowns of a fit: parameters of the model, values at the start of a run, and gain, bias and delay of channels.
+// Unknowns of a search: parameters of the model, and of a fit values at the start of a run and gain, bias and delay of
+// channels.
 
 #include <string>
 #include <vector>

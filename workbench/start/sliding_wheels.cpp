@@ -122,7 +122,7 @@ Diagnostics standing_notes(const std::vector<SlidingTyre>& tyres) {
 
 /// A note on a speed that is likely in km/h.
 Diagnostics fast_notes(const std::vector<SlidingTyre>& tyres) {
-  constexpr double kUnlikely = 70;  // m/s, 252 km/h, as of manoeuvres
+  constexpr double kUnlikely = 70;  // m/s, 252 km/h, as in manoeuvres
   for (const SlidingTyre& one : tyres) {
     if (std::abs(one.speed) < kUnlikely) continue;
     return {{one.tyre->where,

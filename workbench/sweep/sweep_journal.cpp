@@ -83,7 +83,7 @@ void check_first_line(const fs::path& path, const std::string& line, const std::
   const std::string found = is_of_this_format ? line.substr(kFirstLine.size()) : "";
   if (is_of_this_format && found == description) return;
   throw UserError(fmt::format(
-      "{}: holds cases of another study, they differ in: {}\n  hint: run with the words of before to go on with it, "
+      "{}: holds cases of another study, they differ in: {}\n  hint: run the command as before to go on with it, "
       "with --restart to begin anew, or with another --out\n",
       path.string(),
       is_of_this_format ? fmt::format("{}", fmt::join(differences(found, description), ", ")) : "mbgen"));

@@ -56,8 +56,9 @@ template <class A>
 struct RopeForces {
   std::vector<A> stretch, rate, elastic, tension;  ///< per span: m, m/s, N, N
   std::vector<A> slip_rate;                        ///< per groove, m/s
-  /// In grooves: loss of elastic tension by a metre of slip into a span, N/m, and the slip that would keep it, m/s.
-  std::vector<A> gives, keeps;
+  /// Per span of a rope with grooves: loss of elastic tension by a metre of slip into it, N/m, and the speed of slip
+  /// that would keep its tension, m/s.
+  std::vector<A> loss_by_slip, keeping_slip;
 };
 
 /// Solves (I - C) x = b for the slips of grooves that share spans; C has row sums below 1.
@@ -79,10 +80,14 @@ std::vector<A> slips_together(std::vector<std::vector<A>> shares, std::vector<A>
   return b;
 }
 
-/// A groove in the act of slipping: towards the larger tension, with weights of the spans' rates of stretch.
+/// A groove in the act of slipping, towards the larger tension.
 template <class A>
 struct SlippingGroove {
-  A way, excess, behind, before, sum, slides;
+  A way;             ///< 1 towards the span behind, -1 towards the span before
+  A excess;          ///< N, of the larger tension over exp(friction wrap) times the smaller one
+  A behind, before;  ///< N/m: loss of the excess by a metre of slip, by the change of either span
+  A sum;             ///< N/m, of both
+  A slides;          ///< share of the speed that would keep the excess: 0 where the groove sticks
 };
 
 template <class T, class A>
@@ -94,10 +99,10 @@ SlippingGroove<A> slipping_groove(const RopeNumbers<T>& numbers, std::size_t j, 
   SlippingGroove<A> s;
   s.way = select(onwards, one, A(-1.0));
   s.excess = max(front, back) - grip * low;
-  s.behind = select(onwards, one, grip) * rope.gives[groove.behind];
-  s.before = select(onwards, grip, one) * rope.gives[groove.before];
+  s.behind = select(onwards, one, grip) * rope.loss_by_slip[groove.behind];
+  s.before = select(onwards, grip, one) * rope.loss_by_slip[groove.before];
   s.sum = s.behind + s.before;
-  const A speed = (s.behind * rope.keeps[groove.behind] - s.before * rope.keeps[groove.before]) / s.sum;
+  const A speed = (s.behind * rope.keeping_slip[groove.behind] - s.before * rope.keeping_slip[groove.before]) / s.sum;
   const A width =
       A(1 - kRopeSticks) * (grip - one) * low + s.sum * (A(numbers.lag) * abs(speed) + A(kLeastRopeStretch));
   const A part = max(zero, min(one, one + s.excess / width));
@@ -108,24 +113,24 @@ SlippingGroove<A> slipping_groove(const RopeNumbers<T>& numbers, std::size_t j, 
 /// Sets how the spans' elastic tensions change by slip, and by their rates without slip: k dstretch - tension dlength /
 /// length.
 template <class T, class A>
-void set_gives(const RopeNumbers<T>& numbers, RopeForces<A>& rope) {
+void set_changes_by_slip(const RopeNumbers<T>& numbers, RopeForces<A>& rope) {
   using mbgen::max, mbgen::select;
   for (std::size_t g = 0; g < rope.stretch.size(); ++g) {
     const A stiffness(numbers.stiffness[g]), slack(T(kSlackRope) * numbers.stiffness[g]);
     if (!numbers.ea) {
-      rope.gives.push_back(select(rope.stretch[g], stiffness, slack));
-      rope.keeps.push_back(rope.rate[g]);
+      rope.loss_by_slip.push_back(select(rope.stretch[g], stiffness, slack));
+      rope.keeping_slip.push_back(rope.rate[g]);
       continue;
     }
     const A strain = max(rope.stretch[g], A(0.0)) / A(numbers.length[g]), strained = A(1.0) + strain;
-    rope.gives.push_back(select(rope.stretch[g], stiffness * strained, slack));
-    rope.keeps.push_back((rope.rate[g] - strain * A(numbers.lengthens[g])) / strained);
+    rope.loss_by_slip.push_back(select(rope.stretch[g], stiffness * strained, slack));
+    rope.keeping_slip.push_back((rope.rate[g] - strain * A(numbers.lengthens[g])) / strained);
   }
 }
 
 /// Sets the speeds of slip. A groove sticks while the larger tension is below exp(friction wrap) times the smaller one;
 /// at the limit it slips as fast as the ratio stays there, and an excess fades with the lag. Slip never acts
-/// against the larger tension, so that it takes energy only. Requires: set_gives.
+/// against the larger tension, so that it takes energy only. Requires: set_changes_by_slip.
 template <class T, class A>
 void set_slips(const RopeNumbers<T>& numbers, RopeForces<A>& rope) {
   using mbgen::max, mbgen::select;
@@ -141,7 +146,7 @@ void set_slips(const RopeNumbers<T>& numbers, RopeForces<A>& rope) {
     for (std::size_t j = 0; j < n; ++j) {
       const SlippingGroove<A>& s = slipping[j];
       const A behind = slides[j] * (s.behind / s.sum), before = slides[j] * (s.before / s.sum);
-      speeds.push_back(behind * rope.keeps[grooves[j].behind] - before * rope.keeps[grooves[j].before]);
+      speeds.push_back(behind * rope.keeping_slip[grooves[j].behind] - before * rope.keeping_slip[grooves[j].before]);
       for (std::size_t i = 0; i < n; ++i) {  // slip at the far ends of both spans; its own is in the sum
         if (i == j) continue;
         if (grooves[i].before == grooves[j].behind) shares[j][i] = shares[j][i] + behind;
@@ -200,7 +205,7 @@ RopeForces<A> rope_law(const RopeNumbers<T>& numbers, const std::vector<A>& reac
   for (std::size_t g = 0; g < reach.size(); ++g)
     rope.elastic.push_back(A(numbers.stiffness[g]) * max(rope.stretch[g], zero));
   if (!numbers.grooves.empty()) {
-    set_gives(numbers, rope);
+    set_changes_by_slip(numbers, rope);
     set_slips(numbers, rope);
     slip(rope.rate, rope.slip_rate);
   }

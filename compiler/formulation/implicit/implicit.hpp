@@ -135,7 +135,7 @@ struct ElementSums {
   std::vector<std::vector<T>> symmetric, other;
 };
 
-/// Adds Rz' matrix Rz. matrix: over the tree's coordinates; is_symmetric: its lower triangle alone, as of the result.
+/// Adds Rz' matrix Rz. matrix: over the tree's coordinates; is_symmetric: its lower triangle alone, as in the result.
 template <class T>
 void add_projected(const Topology& topology, const ImplicitEquations<T>& e, std::vector<std::vector<T>> matrix,
                    bool is_symmetric, std::vector<std::vector<T>>& to) {

@@ -39,7 +39,7 @@ struct KindOf<JointFriction> : FrictionDefaults {
   }
 };
 
-/// Friction along the line of a spring between two points, as of leaves or a bush.
+/// Friction along the line of a spring between two points, as in a leaf spring or a bush.
 struct SpringFriction : FrictionLaw {
   std::string name;
   Where where;

@@ -12,7 +12,7 @@ namespace mbgen {
 /// Law of a friction between two sliding parts: v is their relative speed, F_n the normal force, or 1.
 /// Stribeck curve: g(v) = F_n (coulomb + (stiction - coulomb) exp(-(v/v_stribeck)^2)).
 ///   smooth          f = -g(v) tanh(v/velocity) - viscous v: creeps at rest
-///   elasto_plastic, lugre: a bristle of deflection b, an auxiliary state, see mbgen/bristle.hpp;
+///   elasto_plastic, lugre: a bristle of deflection b, an auxiliary state, see mbgen/solver/bristle.hpp;
 ///                   f = -(stiffness b + damping db/dt) - viscous v: holds at rest
 struct FrictionLaw {
   enum class Kind { smooth, elasto_plastic, lugre };
@@ -30,7 +30,7 @@ struct FrictionLaw {
   int normal = -1;            ///< index into Model::springs of the spring with the normal force, -1 for none
   int load = -1;              ///< index into Model::sampled of the reaction with the normal force, -1 for none
 
-  /// Only for a model whose programs are differentiated: see open_bristle in mbgen/bristle.hpp.
+  /// Only for a model whose programs are differentiated: see open_bristle in mbgen/solver/bristle.hpp.
   bool is_for_slopes = false;
 
   bool has_bristle() const { return kind != Kind::smooth; }

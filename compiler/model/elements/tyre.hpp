@@ -30,7 +30,7 @@ struct TyreEnvelope {
 /// "enveloping, base 0.4, ...", for people.
 std::string to_text(const TyreEnvelope& envelope);
 
-/// Torsional friction of the contact patch about the road's normal, as of TyreProperties in tyre.hpp.
+/// Torsional friction of the contact patch about the road's normal, as in TyreProperties in tyre.hpp.
 struct TyrePatch {
   Quantity stiffness;  ///< N m/rad, against turning under `load`, > 0
   Quantity radius;     ///< m, moment of the turning patch over its friction under `load`, > 0

@@ -12,7 +12,7 @@ namespace {
 
 void read_forces(Reader& reader, const Entries& entries) {
   read_list(reader, entries, reader.model.forces, [](Reader& r, const Value& value, AppliedForce& force) {
-    if (!has_any(value, {"force", "torque"})) report(r, value, "applied force has neither force nor torque");
+    if (!has_any(value, {"force", "torque"})) report(r, value, "applied force has neither \"force\" nor \"torque\"");
     if (force.at.body >= 0 && force.at.body == r.model.ground)
       report(r, *find(value, "at"), "a force on ground has no effect");
     place_force(r, force);

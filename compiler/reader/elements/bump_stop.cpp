@@ -195,7 +195,7 @@ void read_bump_stops(Reader& reader, const Entries& entries) {
     if (value.kind == Value::Kind::object) {
       place_stop(reader, value, stop);
       if (!find(value, "stiffness") && !find(value, "force"))
-        report(reader, value, "bump stop has neither stiffness nor force");
+        report(reader, value, "bump stop has neither \"stiffness\" nor \"force\"");
       const Value* clearance = find(value, "clearance");
       const bool is_length = !stop.is_on_joint() || (stop.joint.joint >= 0 && !is_rotation(reader.model, stop.joint));
       if (clearance && clearance->kind == Value::Kind::object && is_length)

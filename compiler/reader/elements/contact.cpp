@@ -258,8 +258,10 @@ void set_push(Reader& reader, const Value& value, ContactFields& contact) {
   contact.push.stiffness = contact.stiffness.value_or(Quantity(1.0));
   const Member *stiffness = find_member(value, "stiffness"), *modulus = find_member(value, "modulus");
   if (!stiffness && !modulus)
-    report(reader, value, "contact has neither stiffness nor modulus", "stiffness: N over m to the power of exponent");
-  if (stiffness && modulus) report(reader, modulus->place, "contact has both stiffness and modulus", "leave out one");
+    report(reader, value, "contact has neither \"stiffness\" nor \"modulus\"",
+           "stiffness: N over m to the power of exponent");
+  if (stiffness && modulus)
+    report(reader, modulus->place, "contact has both \"stiffness\" and \"modulus\"", "leave out one");
   if (const Member* exponent = find_member(value, "exponent"); exponent && modulus)
     report(reader, exponent->place, "the exponent by Hertz is 1.5, it is not given beside \"modulus\"");
   else if (contact.push.exponent < 1)

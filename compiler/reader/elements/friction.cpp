@@ -46,7 +46,7 @@ auto friction_level_fields() {
       field<S, &S::rod>(
           {.name = "rod",
            .shape = Shape::reference,
-           .doc = "rod with friction in its end, against the rotation of the body there; its rates are rad/s",
+           .doc = "rod with friction at its end, against the rotation of the body there; its rates are rad/s",
            .of = "rods"}),
       field<S, &S::end>({.name = "end", .shape = Shape::word, .doc = "end of the rod", .words = kRodEnds}),
       field<S, &S::kind>(
@@ -186,14 +186,14 @@ bool check_place(Reader& reader, const Value& value) {
   }
   if (first.empty())
     report(reader, value, "key \"joint\" is missing",
-           "or \"spring\" for friction along the line of a spring, or \"rod\" for friction in its end");
+           "or \"spring\" for friction along the line of a spring, or \"rod\" for friction at its end");
   return !first.empty();
 }
 
 /// Friction in a rod end.
 RodFriction rod_friction(Reader& reader, const Value& value, const FrictionFields& friction) {
   if (friction.has_bristle())
-    report(reader, *find(value, "law"), "friction in the end of a rod is smooth: it has no one direction to stick in");
+    report(reader, *find(value, "law"), "friction at the end of a rod is smooth: it has no one direction to stick in");
   if (!friction.end) report(reader, value, "key \"end\" is missing", "from or to: the ball of the rod that turns hard");
   RodFriction result{friction, friction.name, friction.where, find_element(reader, value, "rod", reader.names.rods)};
   result.at_from = friction.end == ReactionOutput::End::from;
@@ -209,7 +209,7 @@ int add_load(Reader& reader, const Value& value, const FrictionFields& friction)
     return -1;
   }
   if (find(value, "normal"))
-    report(reader, *find(value, "reaction"), "friction has both normal and reaction", "leave out one of them");
+    report(reader, *find(value, "reaction"), "friction has both \"normal\" and \"reaction\"", "leave out one of them");
   SampledValue load;
   load.name = friction.name + "_load";
   load.where = friction.where;
@@ -231,7 +231,7 @@ void read_frictions(Reader& reader, const Entries& entries) {
     if (friction.pressing_spring) friction.normal = find_element(r, value, "normal", names_of<PointSpring>(r));
     if (!friction.rod)
       if (const Value* end = find(value, "end"))
-        report(r, *end, "\"end\" is of friction in the end of a rod", "leave it out");
+        report(r, *end, "\"end\" is of friction at the end of a rod", "leave it out");
     if (const Value* other = find(value, "relative_to"); other && !friction.joint)
       report(r, *other, "\"relative_to\" is of friction on a coordinate", "leave it out, or give \"joint\"");
     if (friction.joint && friction.relative_to)
@@ -267,7 +267,7 @@ ElementSection section_of(Leader<JointFriction>) {
           [] {
             return std::vector<ObjectKind>{kind_of<FrictionFields>(
                 "friction",
-                "friction on a coordinate, along a spring or in the end of a rod; exactly one of joint, "
+                "friction on a coordinate, along a spring or at the end of a rod; exactly one of joint, "
                 "spring and rod",
                 {"joint", "spring", "rod"}, {{"rod", "end"}, {"end", "rod"}})};
           },

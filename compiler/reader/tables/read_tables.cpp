@@ -28,7 +28,7 @@ void check_table(Reader& reader, const Value& value) {
   }
 }
 
-/// Place of numbers among the samples; equal ones, as of a part placed four times, are stored once.
+/// Place of numbers among the samples; equal ones, as in a part placed four times, are stored once.
 int place_of_numbers(Reader& reader, const std::vector<double>& numbers) {
   std::vector<double>& samples = *reader.samples;
   for (const auto& [first, count] : reader.stored_numbers)

@@ -1,7 +1,7 @@
 #pragma once
 // Products in sums, rounded once where the processor can: code that calls these has the same bits from every compiler.
 // Without such an instruction product and sum are rounded each. For double, float and, lane by lane, for vectors of
-// double (the vector_size extension of GCC and clang), where plain numbers count for every lane. Names as of the
+// double (the vector_size extension of GCC and clang), where plain numbers count for every lane. Names as in the
 // instructions.
 
 // The header of the intrinsics takes a compiler longer to read than all others of a solver together: builtins stand in

@@ -97,7 +97,7 @@ struct ReferencePoint {
   Eigen::Vector3d place;  ///< m, global at the reference
   Eigen::Matrix3d axes;   ///< of the model body there
 };
-/// body, point: as of an Attachment.
+/// body, point: as in an Attachment.
 ReferencePoint reference_point(const Model& model, const Topology& topology, int body, int point);
 
 /// Two unit vectors perpendicular to a unit axis and to each other, right-handed with it.

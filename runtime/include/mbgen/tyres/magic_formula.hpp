@@ -132,7 +132,7 @@ struct PureLateral {
 /// Force of a curve, N, where another slip acts too, by a friction ellipse: each slip is measured by its peak force
 /// over its stiffness, both curves are followed at the resultant, and the force is shared in proportion to the slips.
 /// Beside the shifts, the resultant force stays in the ellipse with the half axes d. Without the other slip the curve
-/// itself. Source: as of magic_formula_pac89.
+/// itself. Source: as in magic_formula_pac89.
 template <class T>
 T force_in_ellipse(const PureCurve<T>& own, const PureCurve<T>& other) {
   using std::sin;

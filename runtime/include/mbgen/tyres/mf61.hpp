@@ -125,7 +125,7 @@ struct ResidualMoment {
   T turning;   ///< of spin
 };
 
-/// (4.E45) to (4.E47) where turn slip acts. slip: as of mf61_residual_moment; weight: G_ykappa.
+/// (4.E45) to (4.E47) where turn slip acts. slip: as in mf61_residual_moment; weight: G_ykappa.
 template <class T>
 ResidualMoment<T> mf61_residual_of_spin(const MagicFormula61<T>& set, const Mf61State<T>& at,
                                         const PureLateral<T>& lateral, const T& slip, const T& sine, const T& zeta_2,
@@ -205,7 +205,7 @@ struct Mf61Forces {
 /// Forces of MF 6.1 for combined slip and turn slip.
 /// fz: N, vertical load; no load or less gives exactly zero. slips: kappa positive when driving; alpha below pi/2, its
 /// tangent is the lateral slip velocity over |forward velocity|; gamma: camber. pressure: Pa. friction, shifts and the
-/// result as of magic_formula_pac2002, ellipse too; the aligning moment holds for rolling forward, the moment of
+/// result as in magic_formula_pac2002, ellipse too; the aligning moment holds for rolling forward, the moment of
 /// spin for either direction. Requires: unloaded_radius, fnomin, nompres > 0; pcx1, pcy1, pky2 not zero; lmux, lmuy
 /// positive; where turn slip acts phyp1, phyp2, qdrp1 not zero. Source: Pacejka (2012), equations (4.E1) to (4.E78),
 /// with the readings at the head of this file.
@@ -272,7 +272,7 @@ TyreForces<T> magic_formula_61(const MagicFormula61<T>& set, const T& fz, const 
 }
 
 /// Rolling resistance moment of MF 6.1, N m, against the rolling, >= 0 in the range of a fit; (4.E70).
-/// fx: N, longitudinal force; vx: m/s, forward velocity. Load, pressure and camber as of magic_formula_61.
+/// fx: N, longitudinal force; vx: m/s, forward velocity. Load, pressure and camber as in magic_formula_61.
 template <class T>
 T mf61_rolling_resistance(const MagicFormula61<T>& set, const T& fz, const T& fx, const T& vx, const T& gamma,
                           const T& pressure) {

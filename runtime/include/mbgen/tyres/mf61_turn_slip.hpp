@@ -61,8 +61,8 @@ T mf61_zeta_3(const MagicFormula61<T>& set, const Mf61Turn<T>& turn) {
   return cos_of_arc<T>(set.pkyp1 * turn.spin * turn.spin);
 }
 
-/// S_Hyphi, rad: the shift of the slip angle by spin; (4.80), (4.85) to (4.89). stiffnesses: N/rad, of camber, and of
-/// slip of an upright tyre without spin. load: N, > 0.
+/// S_Hyphi, rad: the shift of the slip angle by spin; (4.80), (4.85) to (4.89). camber_stiffness: N/rad; stiffness:
+/// N/rad, of the slip of an upright tyre without spin; load: N, > 0.
 template <class T>
 T mf61_spin_shift(const MagicFormula61<T>& set, const T& dfz, const T& load, const T& camber_stiffness,
                   const T& stiffness, const Mf61Turn<T>& turn) {

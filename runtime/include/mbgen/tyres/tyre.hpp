@@ -245,7 +245,7 @@ struct TurningPatch {
 /// length is about half the patch's under turn_load. Below low_speed a term in d psi/dt that fades out with the
 /// speed, and where the patch slides, damps it. load: N, of one tyre; rolling: 1, see Slip.
 /// Source: Pacejka (2012), equation (4.95) for the limit over the load (a patch whose length grows with the root of its
-/// load has the same exponent), (4.76) for the spin; Dahl as of `slip`.
+/// load has the same exponent), (4.76) for the spin; Dahl as in `slip`.
 template <class Set, class T>
 TurningPatch<T> turning_patch(const Set& set, const TyreProperties<T>& tyre, const TyreContact<T>& contact,
                               const T& load, const T& rolling) {
