@@ -57,14 +57,9 @@ class LawComposition {
       arguments.push_back(argument_of(law, k, a, element));
       if (arguments.back() == kNoValue) return kNoValue;
     }
-    std::vector<ValueId> values;
-    for (const Node& node : law.program.nodes) {
-      const bool is_argument = node.op == Op::input;
-      values.push_back(
-          is_argument
-              ? arguments[static_cast<std::size_t>(law.program.inputs[static_cast<std::size_t>(node.input)].index)]
-              : builder_.copy(law.program, node, values));
-    }
+    const std::vector<ValueId> values = put_in(builder_, law.program, [&](const Slot& argument) {
+      return arguments[static_cast<std::size_t>(argument.index)];
+    });
     for (const auto& [result, value] : law.program.outputs)
       results_[{slot.group, result.index * static_cast<int>(elements) + static_cast<int>(element)}] = values[value];
     return results_.at(slot);

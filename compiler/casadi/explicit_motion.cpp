@@ -4,6 +4,7 @@
 #include <map>
 
 #include "compiler/passes/passes.hpp"
+#include "compiler/program/rewrite.hpp"
 
 namespace mbgen {
 namespace {
@@ -136,10 +137,8 @@ class Composition {
       for (int i = 0; i < group.size; ++i) direction.push_back({group.group, i});
     const Program derived = along_ ? differentiate(of_solver, seeds_of(of_solver, groups)) : Program{};
     const Program& program = along_ ? derived : of_solver;
-    std::vector<ValueId> renamed;
-    for (const Node& node : program.nodes)
-      renamed.push_back(node.op == Op::input ? taken(program.inputs[static_cast<std::size_t>(node.input)], direction)
-                                             : builder_.copy(program, node, renamed));
+    const std::vector<ValueId> renamed =
+        put_in(builder_, program, [&](const Slot& slot) { return taken(slot, direction); });
     Results results;
     for (const auto& [slot, value] : program.outputs) results[slot] = renamed[value];
     return results;

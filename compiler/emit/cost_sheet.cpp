@@ -189,6 +189,12 @@ CostJson worst_case_json(const EmitContext& context, const CostJson& programs) {
   return worst;
 }
 
+CostJson operations_json(const OperationCount& count) {
+  return {{"add", count.add},      {"multiply", count.multiply},           {"divide", count.divide},
+          {"sqrt", count.sqrt},    {"trigonometric", count.trigonometric}, {"other", count.other},
+          {"total", count.total()}};
+}
+
 std::string operations_table(const std::string& title, const CostJson& sections, const CostJson& total,
                              const char* section_key) {
   const auto counts = [](const std::string& name, const CostJson& json) {

@@ -15,6 +15,9 @@ nlohmann::ordered_json worst_case_json(const EmitContext& context, const nlohman
 /// `<model>_cost.txt`: operations and worst_case of the manifest for people. banner: its first lines.
 std::string cost_text(const nlohmann::ordered_json& manifest, const std::string& banner);
 
+/// Operations by kind, and their total.
+nlohmann::ordered_json operations_json(const OperationCount& count);
+
 /// One table of operations by kind: a row per section, and the total. section_key: of a section's name.
 std::string operations_table(const std::string& title, const nlohmann::ordered_json& sections,
                              const nlohmann::ordered_json& total, const char* section_key);

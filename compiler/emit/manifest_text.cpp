@@ -9,18 +9,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json count_json(const OperationCount& count) {
-  return {{"add", count.add},      {"multiply", count.multiply},           {"divide", count.divide},
-          {"sqrt", count.sqrt},    {"trigonometric", count.trigonometric}, {"other", count.other},
-          {"total", count.total()}};
-}
-
 /// Adds the operations of the laws that the program leaves to others, for all of their elements.
 void add_laws(const EmitContext& context, const ShapedProgram& shaped, Json& json) {
   for (std::size_t k = 0; k < shaped.shape.laws.size(); ++k) {
     const LawShape& law = shaped.shape.laws[k];
     Json section = {{"title", law.function() + ": tyres of one law, " + std::to_string(law.elements) + " in lanes"}};
-    const Json counts = count_json(count_operations(context.written.laws[k].program));
+    const Json counts = operations_json(count_operations(context.written.laws[k].program));
     for (const auto& [kind, count] : counts.items()) {
       section[kind] = count.get<long>() * law.elements;
       json["operations"][kind] = json["operations"][kind].get<long>() + section[kind].get<long>();
@@ -36,7 +30,7 @@ Json program_json(const EmitContext& context, const ShapedProgram& shaped) {
   for (std::size_t s = 0; s < counts.size(); ++s) {
     if (program.sections[s].step == Step::none) continue;
     Json section = {{"title", shaped.shape.titles.section(program.sections[s])}};
-    section.update(count_json(counts[s]));
+    section.update(operations_json(counts[s]));
     sections.push_back(section);
   }
   Json json = {{"function", shaped.shape.function}};
@@ -46,7 +40,7 @@ Json program_json(const EmitContext& context, const ShapedProgram& shaped) {
   } else {
     json["parts"] = shaped.schedule.parts.size();
   }
-  json["operations"] = count_json(count_operations(program));
+  json["operations"] = operations_json(count_operations(program));
   json["sections"] = sections;
   add_laws(context, shaped, json);
   return json;

@@ -1,5 +1,6 @@
 #include "compiler/expressions/unit_exponents.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <numbers>
@@ -129,6 +130,11 @@ std::vector<std::string_view> known_units() {
   std::vector<std::string_view> symbols;
   for (const NamedUnit& unit : kUnits) symbols.push_back(unit.symbol);
   return symbols;
+}
+
+bool are_alike(const UnitExponents& one, const UnitExponents& other) {
+  constexpr std::ptrdiff_t kBeforeAngles = 7;
+  return std::equal(one.exponents.begin(), one.exponents.begin() + kBeforeAngles, other.exponents.begin());
 }
 
 std::optional<UnitExponents> unit_exponents(std::string_view unit) { return UnitReader(unit).whole(); }

@@ -18,6 +18,9 @@ struct UnitExponents {
 /// divides by the next unit or parenthesis alone. None for an unknown unit.
 std::optional<UnitExponents> unit_exponents(std::string_view unit);
 
+/// Whether numbers of one unit can be given in the other: angles count as numbers, so that N m/rad is N m.
+bool are_alike(const UnitExponents& one, const UnitExponents& other);
+
 /// Every symbol that it knows.
 std::vector<std::string_view> known_units();
 

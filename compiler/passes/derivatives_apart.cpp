@@ -7,6 +7,7 @@
 #include "compiler/passes/derivative_sums.hpp"
 #include "compiler/passes/passes.hpp"
 #include "compiler/program/kinds.hpp"
+#include "compiler/program/rewrite.hpp"
 
 namespace mbgen {
 namespace {
@@ -346,20 +347,15 @@ Program adjoint(const Program& program, const std::function<bool(const Slot&)>& 
   const Program weights = contract(transposed(apart.along, rows, columns));
 
   ProgramBuilder joined = ProgramBuilder::like(program);
-  std::vector<ValueId> of_values, of_weights;
-  for (const Node& node : apart.values.nodes) of_values.push_back(joined.copy(apart.values, node, of_values));
+  const std::vector<ValueId> of_values = put_in(joined, apart.values, [](const Slot&) { return kNoValue; });
   std::vector<ValueId> slopes(static_cast<std::size_t>(apart.slopes), kNoValue);
   for (const auto& [slot, value] : apart.values.outputs) {
     if (slot.group == SlotGroup(Array::slope)) slopes[static_cast<std::size_t>(slot.index)] = of_values[value];
     if (is_kept(slot)) joined.output(slot.group, slot.index, of_values[value]);
   }
-  for (const Node& node : weights.nodes) {
-    const bool is_slope =
-        node.op == Op::input && weights.inputs[static_cast<std::size_t>(node.input)].group == SlotGroup(Array::slope);
-    of_weights.push_back(
-        is_slope ? slopes[static_cast<std::size_t>(weights.inputs[static_cast<std::size_t>(node.input)].index)]
-                 : joined.copy(weights, node, of_weights));
-  }
+  const std::vector<ValueId> of_weights = put_in(joined, weights, [&](const Slot& slot) {
+    return slot.group == SlotGroup(Array::slope) ? slopes[static_cast<std::size_t>(slot.index)] : kNoValue;
+  });
   for (const auto& [slot, value] : weights.outputs) joined.output(slot.group, slot.index, of_weights[value]);
   return remove_dead_values(joined.finish());
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A program in which some values take another form.
+// A program in which some values take another form, and a program put into another.
 
 #include <span>
 #include <vector>
@@ -24,6 +24,20 @@ Program rewritten(const Program& program, const Rewrite& rewrite) {
   }
   for (const auto& [slot, value] : program.outputs) builder.output(slot.group, slot.index, renamed[value]);
   return builder.finish();
+}
+
+/// Appends the values of `program` to another one. given(slot): the value there of an input of it, kNoValue for an input
+/// of the same slot. Result: new value of each.
+template <class Given>
+std::vector<ValueId> put_in(ProgramBuilder& builder, const Program& program, const Given& given) {
+  std::vector<ValueId> renamed;
+  renamed.reserve(program.nodes.size());
+  for (const Node& node : program.nodes) {
+    const ValueId value =
+        node.op == Op::input ? given(program.inputs[static_cast<std::size_t>(node.input)]) : kNoValue;
+    renamed.push_back(value != kNoValue ? value : builder.copy(program, node, renamed));
+  }
+  return renamed;
 }
 
 }  // namespace mbgen

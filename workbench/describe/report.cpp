@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/emit/cost_sheet.hpp"
 #include "compiler/solver/titles.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/describe/notes.hpp"
@@ -88,21 +89,15 @@ Json report_block(const Topology& topology, const LoopBlock& block, const BlockA
           {"certificate", report_certificate(topology, block, decided.certificate)}};
 }
 
-Json report_operations(const OperationCount& count) {
-  return {{"add", count.add},      {"multiply", count.multiply},           {"divide", count.divide},
-          {"sqrt", count.sqrt},    {"trigonometric", count.trigonometric}, {"other", count.other},
-          {"total", count.total()}};
-}
-
 Json report_program(const Program& program, const Titles& titles) {
   Json sections = Json::array();
   const std::vector<OperationCount> counts = count_operations_by_section(program);
   for (std::size_t s = 0; s < counts.size(); ++s) {
     Json section = {{"section", titles.section(program.sections[s])}};
-    section.update(report_operations(counts[s]));
+    section.update(operations_json(counts[s]));
     sections.push_back(section);
   }
-  return {{"sections", sections}, {"total", report_operations(count_operations(program))}};
+  return {{"sections", sections}, {"total", operations_json(count_operations(program))}};
 }
 
 }  // namespace

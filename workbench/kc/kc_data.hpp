@@ -46,4 +46,7 @@ struct KcReport {
   std::vector<KcOverlay> overlays = {};
 };
 
+/// The curve of this name, null where the report has none.
+const KcTable* table_named(const KcReport& report, const std::string& name);
+
 }  // namespace mbgen

@@ -236,6 +236,11 @@ std::string overview(const std::vector<KcReport>& reports) {
 
 }  // namespace
 
+const KcTable* table_named(const KcReport& report, const std::string& name) {
+  const auto found = std::ranges::find(report.tables, name, &KcTable::name);
+  return found == report.tables.end() ? nullptr : &*found;
+}
+
 std::vector<NamedText> kc_files(const KcReport& report) {
   std::vector<NamedText> files;
   for (const KcTable& table : report.tables) {

@@ -38,12 +38,6 @@ Measured in_order(const Column& x, const Column& y) {
   return points;
 }
 
-const KcTable* table_of(const KcReport& report, const std::string& name) {
-  const auto found =
-      std::find_if(report.tables.begin(), report.tables.end(), [&](const KcTable& one) { return one.name == name; });
-  return found == report.tables.end() ? nullptr : &*found;
-}
-
 /// Differences of measured columns of one curve.
 void add_measured(const KcTable& computed, const KcTable& measured, std::vector<KcDifference>& list) {
   const std::vector<double>& over = computed.columns.front().values;
@@ -132,7 +126,7 @@ std::vector<KcDifference> differences_of(const KcReport& report, const KcOverlay
   std::vector<KcDifference> list;
   if (overlay.is_measured) {
     for (const KcTable& measured : overlay.tables)
-      if (const KcTable* computed = table_of(report, measured.name)) add_measured(*computed, measured, list);
+      if (const KcTable* computed = table_named(report, measured.name)) add_measured(*computed, measured, list);
     return list;
   }
   for (const KcFigure& figure : report.figures) {

@@ -209,20 +209,14 @@ void WishReader::read_constraint(const std::string& typed) {
   }
 }
 
-UnitExponents without_angle(UnitExponents of) {
-  of.exponents.back() = 0;
-  return of;
-}
-
 /// A typed number in the unit of a measure. Fails: UserError.
 double in_unit_of(const std::string& what, const std::string& text, const Measure& measure, const std::string& unit) {
   const auto [value, typed] = *number_with_unit(text);
   if (typed.empty()) return value;
   if (measure.of == Measure::Of::metric)
     throw UserError(fmt::format("{}: a metric has the units of its outputs: leave out {}\n", what, in_quotes(typed)));
-  const UnitExponents from = without_angle(*unit_exponents(typed)),
-                      to = without_angle(unit_exponents(unit).value_or(UnitExponents{}));
-  if (from.exponents != to.exponents)
+  const UnitExponents from = *unit_exponents(typed), to = unit_exponents(unit).value_or(UnitExponents{});
+  if (!are_alike(from, to))
     throw UserError(
         fmt::format("{}: is in {}, found {}\n", what, in_quotes(unit.empty() ? "1" : unit), in_quotes(typed)));
   return value * from.factor / to.factor;

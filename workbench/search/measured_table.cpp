@@ -81,11 +81,6 @@ void read_measured_mat(const std::string& bytes, MeasuredTable& table) {
 }
 
 /// Exponents with angles as plain numbers.
-std::array<int, 8> without_angle(std::array<int, 8> exponents) {
-  exponents.back() = 0;
-  return exponents;
-}
-
 }  // namespace
 
 std::string MeasuredTable::place(std::size_t row) const { return fmt::format("{}:{}", path, lines[row]); }
@@ -119,7 +114,7 @@ std::vector<double> in_unit(const MeasuredTable& table, const Column& column, co
   const bool is_plain = found == "-" || found == "1";
   if (to && (from || is_plain)) {
     const UnitExponents of_column = from.value_or(UnitExponents{});
-    if (without_angle(of_column.exponents) == without_angle(to->exponents)) {
+    if (are_alike(of_column, *to)) {
       std::vector<double> values = column.values;
       for (double& value : values) value *= of_column.factor / to->factor;
       return values;

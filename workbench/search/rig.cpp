@@ -50,12 +50,6 @@ const KcReport& outline_of_rig(const FreeModel& model, const std::string& axle, 
   return known.at(axle);
 }
 
-const KcTable* curve_named(const KcReport& report, const std::string& name) {
-  const auto found =
-      std::find_if(report.tables.begin(), report.tables.end(), [&](const KcTable& one) { return one.name == name; });
-  return found == report.tables.end() ? nullptr : &*found;
-}
-
 const Column* column_of(const KcTable& table, const std::string& name) {
   for (const std::string& wanted : {name, name + "_left", name + "_right"})
     for (const Column& column : table.columns)
@@ -75,7 +69,7 @@ void reach_out_to(const std::string& curve, double amplitude, KcSettings& settin
 }
 
 const KcTable& curve_of_table(const MeasuredTable& table, const KcReport& report, bool by_column) {
-  if (const KcTable* found = curve_named(report, curve_of_file(report, table.path))) return *found;
+  if (const KcTable* found = table_named(report, curve_of_file(report, table.path))) return *found;
   std::string known;
   for (const KcTable& one : report.tables) {
     if (by_column && one.columns.front().heading.name == table.columns.front().heading.name) return one;
