@@ -116,14 +116,14 @@ bool is_cartesian(const std::string& name) {
   return maker != std::end(kMakers) && maker->coordinates == Coordinates::cartesian;
 }
 
+void require_engine(const std::string& name) {
+  if (std::ranges::find(engine_names(), name) == engine_names().end())
+    throw UserError(fmt::format("--engine: no engine \"{}\"; there are: {}\n", name, fmt::join(engine_names(), ", ")));
+}
+
 Engine make_engine(const Compilation& compilation, const EngineChoice& choice) {
-  const auto maker = std::find_if(std::begin(kMakers), std::end(kMakers),
-                                  [&](const Maker& candidate) { return candidate.name == choice.name; });
-  if (maker == std::end(kMakers)) {
-    throw UserError(
-        fmt::format("--engine: no engine \"{}\"; there are: {}\n", choice.name, fmt::join(engine_names(), ", ")));
-  }
-  return maker->make(compilation, choice);
+  require_engine(choice.name);
+  return std::ranges::find(kMakers, choice.name, &Maker::name)->make(compilation, choice);
 }
 
 std::string describe(const Compilation& compilation, Status status) {

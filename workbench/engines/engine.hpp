@@ -105,6 +105,9 @@ struct EngineChoice {
 /// Names of the engines there are.
 const std::vector<std::string>& engine_names();
 
+/// Fails: UserError with the names there are, for another one.
+void require_engine(const std::string& name);
+
 /// Whether an engine is one of the Cartesian judges, which integrate by rk4 and have a stabilisation; the others work
 /// in relative coordinates and integrate by every integrator.
 bool is_cartesian(const std::string& name);

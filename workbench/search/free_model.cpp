@@ -71,9 +71,7 @@ FreeModel read_free_model(const ModelArguments& arguments) {
   follow_step(settings, model.set, model.model);
   require_whole_periods(settings, model.model);
   model.choice = chosen_engine(arguments.engine);
-  const auto& engines = engine_names();
-  if (std::find(engines.begin(), engines.end(), model.choice.name) == engines.end())
-    make_engine({}, model.choice);  // whose refusal lists the engines
+  require_engine(model.choice.name);
   model.choice.integrator = model.model.solver.integrator =
       integrator_of(simulation.integrator, model.model.solver.integrator, model.choice.name);
   return model;

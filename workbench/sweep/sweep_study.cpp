@@ -157,10 +157,7 @@ Study read_study(const StudyArguments& arguments) {
                                 *instant, end));
   }
   study.choice = chosen_engine(arguments.engine);
-  const auto& engines = engine_names();
-  if (std::find(engines.begin(), engines.end(), study.choice.name) == engines.end()) {
-    make_engine({}, study.choice);  // whose refusal lists the engines
-  }
+  require_engine(study.choice.name);
   study.choice.integrator = study.model.solver.integrator =
       integrator_of(arguments.simulation.integrator, study.model.solver.integrator, study.choice.name);
   check_given_once(study);
