@@ -60,7 +60,7 @@ std::vector<double> read_points(const std::string& what, const std::string& file
     throw UserError(fmt::format("{}: points of {} are of a rig's curve: write kc:AXLE:COLUMN\n", what, file));
   const MeasuredTable table = read_measured_table(file);
   const KcReport& report = outline_of_rig(model, measure.axle, rigs);
-  const KcTable* named = curve_named(report, measure.curve);
+  const KcTable* named = table_named(report, measure.curve);
   const KcTable& curve = named != nullptr ? *named : curve_of_table(table, report, true);
   const Column* computed = column_of(curve, measure.part);
   if (computed == nullptr)

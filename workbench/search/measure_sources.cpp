@@ -38,7 +38,7 @@ MeasureSource& source_for(const Measure& measure, const SourceArguments& argumen
 bool needs_rates(const Measure& measure, const KcReport& outline) {
   const bool has_amplitude = std::ranges::any_of(measure.at, [](double at) { return at != 0; });
   if (measure.of == Measure::Of::figure || !has_amplitude) return true;
-  const KcTable* curve = curve_named(outline, measure.curve);
+  const KcTable* curve = table_named(outline, measure.curve);
   const Column* column = curve == nullptr ? nullptr : column_of(*curve, measure.part);
   return column == nullptr || std::ranges::count(curve->rates, column->heading.name) > 0;
 }
@@ -118,7 +118,7 @@ Response figure_of(const Measure& measure, const KcReport& report) {
 
 Response curve_of(const Measure& measure, const KcReport& report, int points) {
   std::vector<std::string> names;
-  const KcTable* curve = curve_named(report, measure.curve);
+  const KcTable* curve = table_named(report, measure.curve);
   for (const KcTable& table : report.tables) names.push_back(table.name);
   if (curve == nullptr)
     throw UserError(fmt::format("{}: the rig has no curve \"{}\"\n{}", measure.name, measure.curve,

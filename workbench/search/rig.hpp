@@ -33,9 +33,6 @@ KcReport rig_report(const Compilation& compilation, const ModelArguments& argume
 /// Requires: prepare(model). Fails: UserError.
 std::shared_ptr<const kc::RigDecisions> decisions_of_rig(const FreeModel& model, const std::string& axle);
 
-/// The curve of this name, null without one.
-const KcTable* curve_named(const KcReport& report, const std::string& name);
-
 /// A column by its name, or of the left wheel; null without one.
 const Column* column_of(const KcTable& table, const std::string& name);
 
