@@ -1,5 +1,7 @@
 // A linearisation that is too large is refused with its size, before anything is traced.
 
+#include <fmt/format.h>
+
 #include "compiler/analysis/implicit_operations.hpp"
 #include "compiler/compile.hpp"
 #include "tests/support/mechanism_support.hpp"
