@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compiler/analysis/choice_at.hpp"
+#include "compiler/analysis/implicit_operations.hpp"
 #include "compiler/choose/cheapest_recursion.hpp"
 #include "compiler/choose/counted_partitions.hpp"
 #include "compiler/passes/passes.hpp"
@@ -72,16 +73,21 @@ Result<Compilation> decide(const std::string& path) {
 Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
   const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
   const double least = !form ? std::min(matrix, recursive) : *form == Form::matrix ? matrix : recursive;
-  if (least <= kMostOperations) return {};
-  const bool other = form && std::min(matrix, recursive) <= kMostOperations;
+  const double implicit = least <= kMostOperations ? implicit_operations(c.model, c.topology, c.analysis) : 0;
+  if (std::max(least, implicit) <= kMostOperations) return {};
+  const bool of_steps = implicit > kMostOperations;
+  const bool other = form && !of_steps && std::min(matrix, recursive) <= kMostOperations;
   Where whole_file;
   whole_file.file = c.model.file;
   return {
       {whole_file,
-       fmt::format("the {} of this model is too large to be written: {} coordinates with {} free directions take at "
+       fmt::format("the {} of this model {} too large to be written: {} coordinates with {} free directions take at "
                    "least {:.2g} operations, at most {:.2g} are written",
-                   form ? fmt::format("{} form", name_of(*form)) : "solver", c.topology.size(),
-                   free_coordinates(c.topology, c.analysis).size(), least, kMostOperations),
+                   of_steps ? "equations of implicit steps"
+                   : form   ? fmt::format("{} form", name_of(*form))
+                            : "solver",
+                   of_steps ? "are" : "is", c.topology.size(), free_coordinates(c.topology, c.analysis).size(),
+                   std::max(least, implicit), kMostOperations),
        other ? fmt::format("--form {} is smaller", name_of(other_form(*form)))
              : "simulate it with --engine generic, which writes nothing, or make the model smaller",
        ""}};

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/analysis/analysis.hpp"
+#include "compiler/analysis/implicit_operations.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/engines/compile_solver.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 // s and 0.50 ms a step, truck 8.4 s and 1.3 ms.
 constexpr double kSecondsToCompile = 1.2, kSecondsToCompileAnOperation = 1.25e-3;
 constexpr double kSecondsOfAStep = 1e-5, kSecondsOfAStepPerOperation = 2.2e-7;  // of the generic engine
+// Of the equations of implicit steps, over implicit_operations: the truck on a bending frame (models/beams).
+constexpr double kSecondsToCompileAnImplicitOne = 3.5e-4, kSecondsOfAStepPerImplicitOne = 1.2e-8;
 
 }  // namespace
 
@@ -28,8 +31,11 @@ AutoEngine auto_engine(const Compilation& decided, const EngineChoice& choice, l
   }
   const LeastOperations least = least_operations(decided.topology, decided.analysis);
   const double operations = std::min(least.matrix, least.recursive);
-  const double compiling = kSecondsToCompile + kSecondsToCompileAnOperation * operations;
-  const double generic = static_cast<double>(steps) * (kSecondsOfAStep + kSecondsOfAStepPerOperation * operations);
+  const double implicit = implicit_operations(decided.model, decided.topology, decided.analysis);
+  const double compiling =
+      kSecondsToCompile + kSecondsToCompileAnOperation * operations + kSecondsToCompileAnImplicitOne * implicit;
+  const double generic = static_cast<double>(steps) * (kSecondsOfAStep + kSecondsOfAStepPerOperation * operations +
+                                                       kSecondsOfAStepPerImplicitOne * implicit);
   const bool is_generic = generic < compiling;
   return {is_generic ? "generic" : "generated",
           fmt::format("{} steps take the generic engine about {:.2g} s, compiling a solver takes about {:.2g} s", steps,

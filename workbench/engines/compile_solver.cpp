@@ -16,7 +16,9 @@
 #include "workbench/engines/kept_request.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/host/large_pages.hpp"
+#include "workbench/host/message.hpp"
 #include "workbench/host/own_directory.hpp"
+#include "workbench/host/progress.hpp"
 #include "workbench/host/temporary_directory.hpp"
 
 namespace mbgen {
@@ -28,6 +30,10 @@ namespace fs = std::filesystem;
 template <class Table>
 constexpr const char* kSymbol = std::is_same_v<Table, TangentTable> ? "mbgen_tangent_table" : "mbgen_solver_table";
 constexpr const char* kAdvice = "; simulate --engine auto does not wait for it";
+/// Of a processor, in g++ 12 for a quick compilation: 200 functions of the truck on a bending frame (models/beams), 8
+/// MB.
+constexpr double kSecondsPerMegabyte = 6;
+constexpr double kToldFrom = 60;  // s
 
 bool is_code(const EmittedFile& file) { return file.path.ends_with(".cpp") || file.path.ends_with(".hpp"); }
 
@@ -54,6 +60,17 @@ std::vector<Source> sources_of(const std::vector<EmittedFile>& files, const fs::
   return sources;
 }
 
+/// Says beforehand that a compilation takes minutes.
+void tell_long_compilation(const std::vector<EmittedFile>& files, const std::string& product) {
+  double megabytes = 0;
+  for (const EmittedFile& file : files)
+    if (file.path.ends_with(".cpp")) megabytes += 1e-6 * static_cast<double>(file.text.size());
+  const double seconds = kSecondsPerMegabyte * megabytes;
+  if (seconds < kToldFrom) return;
+  print_message("compiling {} takes about {} of a processor: {:.0f} MB of code{}\n", product, time_text(seconds),
+                megabytes, kAdvice);
+}
+
 /// Compiles the sources of a solver and links them. Result: the shared object, in `scratch`.
 fs::path build(const fs::path& scratch, const std::string& solver, const std::vector<EmittedFile>& files,
                HostCompiler compiler) {
@@ -63,6 +80,7 @@ fs::path build(const fs::path& scratch, const std::string& solver, const std::ve
   const std::vector<Source> sources = sources_of(files, scratch, !compiler.hot_flags.empty());
   compiler.flags.emplace_back("-fPIC");
   const std::string product = "the solver of " + solver;
+  tell_long_compilation(files, product);
   const fs::path result = scratch / "solver.so";
   Command link{compiler.words, scratch / "link.log", result};
   link.arguments.insert(link.arguments.end(), {"-shared", "-o", result.string()});

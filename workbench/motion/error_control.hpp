@@ -35,6 +35,8 @@ struct ErrorControlRecord {
 };
 
 /// Name of the method on the command line.
-const char* name_of(ErrorControl::Method method);
+constexpr const char* name_of(ErrorControl::Method method) {
+  return method == ErrorControl::Method::bdf ? "cvode" : "cvode-adams";
+}
 
 }  // namespace mbgen

@@ -159,10 +159,21 @@ void check_rows(const Model& model, const InputTable& table) {
   }
 }
 
+/// Rows at which a column has another value than before.
+std::vector<double> jumps_of(const InputTable& table) {
+  std::vector<double> jumps;
+  for (std::size_t row = 1; row < table.t.size(); ++row) {
+    const auto differs = [row](const InputColumn& column) { return column.values[row] != column.values[row - 1]; };
+    if (std::ranges::any_of(table.columns, differs)) jumps.push_back(table.t[row]);
+  }
+  return jumps;
+}
+
 /// Inputs that keep their value, or continue by their derivatives.
 InputsOverTime without_table(const Model& model, const std::vector<std::string>& assignments) {
   const std::vector<double> values = input_values(model, assignments);
   InputsOverTime result;
+  result.laws = LawInstants(model);
   for (std::size_t i = 0; i < values.size(); ++i) {
     result.courses.push_back(continued(model.inputs, values, static_cast<int>(i)));
     const int rate = model.inputs[i].derivative;
@@ -205,6 +216,7 @@ InputsOverTime inputs_over_time(const Model& model, const std::vector<std::strin
   std::vector<Source> sources = assigned_inputs(model, assignments);
   check_rows(model, table);
   result.rows = table.t;
+  if (interpolation == Interpolation::hold) result.jumps = jumps_of(table);
   TableCourses(model, table, interpolation, sources, result).add();
   return result;
 }

@@ -7,6 +7,7 @@
 #include "compiler/model/model.hpp"
 #include "workbench/motion/course.hpp"
 #include "workbench/motion/input_table.hpp"
+#include "workbench/motion/law_instants.hpp"
 
 namespace mbgen {
 
@@ -24,6 +25,8 @@ struct InputsOverTime {
   std::vector<bool> advances;              ///< per input: has a derivative, so that a step advances it by itself
   bool is_constant = true;                 ///< whether all of them stand still
   std::vector<double> rows = {};           ///< s, of the table, where derivatives of its inputs may jump
+  std::vector<double> jumps = {};          ///< s, of its rows, where an input itself jumps
+  LawInstants laws = {};                   ///< of the model, in which time stands beside the inputs
   std::vector<std::string> warnings = {};  ///< complete lines for standard error
 
   /// Whether a row of the table lies after `start`, and not after `end`; s.

@@ -153,35 +153,34 @@ Status observe(const Engine& engine, double h, const GenericState& state, Sample
   return status;
 }
 
-/// One step of h seconds to the time `end`, with its given inputs and the inputs at its end.
-Status step(const Engine& engine, const InputsOverTime& inputs, double h, double end, GenericState& state) {
-  if (inputs.is_constant) {
-    const Status status = engine.step(state, h);
-    if (status.ok()) state.t = end;
-    return status;
+/// A step in parts: each starts with its own inputs, so that a multistep method starts anew.
+Status step_in_parts(const Engine& engine, const InputsOverTime& inputs, const std::vector<StepPart>& parts,
+                     GenericState& state) {
+  Status met;
+  for (const StepPart& part : parts) {
+    engine.set_inputs(inputs.is_constant ? inputs.at(part.start) : inputs.of_step(part.start, part.end - part.start));
+    state.t = part.start;
+    const Status status = engine.step(state, part.end - part.start);
+    if (!status.ok()) return status;
+    met = graver(met, status);
   }
-  GenericState trial = state;
-  engine.set_inputs(inputs.of_step(state.t, h));
-  Status status = engine.step(trial, h);
-  trial.t = end;
-  engine.set_inputs(inputs.at(end));
-  if (status.ok()) status = engine.project(trial);
-  if (status.ok()) state = std::move(trial);
-  return status;
+  return met;
 }
 
-/// Power just before the end of a step, if a row of a table lies in the step: accelerations of inputs jump there, and
-/// with them the power of driven joints.
-std::optional<double> power_before_row(const Engine& engine, const InputsOverTime& inputs, double h, double start,
-                                       const GenericState& state) {
-  if (!inputs.has_row(start, state.t)) return {};
+/// Power just before the end of a step with a row of a table, where accelerations of inputs jump, and with them the
+/// power of driven joints; or of one made in parts, at whose end a law of time may jump.
+std::optional<double> power_before_jump(const Engine& engine, const InputsOverTime& inputs, double h, double start,
+                                        GenericState state, bool in_parts) {
+  if (!in_parts && !inputs.has_row(start, state.t)) return {};
   constexpr double kJustBefore = 1e-9;  // of a step
+  const double end = state.t;
   Sample sample;
   LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
   GenericDerivative derivative;
-  engine.set_inputs(inputs.at(state.t - kJustBefore * h));
-  const Status status = observe(engine, h, state, sample, at, derivative);
+  state.t = end - kJustBefore * h;
   engine.set_inputs(inputs.at(state.t));
+  const Status status = observe(engine, h, state, sample, at, derivative);
+  engine.set_inputs(inputs.at(end));
   return status.ok() ? std::optional(sample.outputs.applied_power) : std::nullopt;
 }
 
@@ -211,7 +210,8 @@ double passable_step(const Engine& engine, const InputsOverTime& inputs, const G
     GenericState trial = state;
     engine.set_inputs(inputs.at(state.t));
     int k = 0;
-    while (k < parts && step(engine, inputs, part, time_after(state.t, k + 1, part), trial).ok()) ++k;
+    bool in_parts = false;
+    while (k < parts && step_motion(engine, inputs, part, time_after(state.t, k + 1, part), trial, in_parts).ok()) ++k;
     if (k == parts) return part;
   }
   return 0;
@@ -228,6 +228,28 @@ void require_angles(const Engine& engine, const GenericState& state) {
 
 }  // namespace
 
+Status step_motion(const Engine& engine, const InputsOverTime& inputs, double h, double end, GenericState& state,
+                   bool& in_parts) {
+  const bool may_jump = !engine.sample && (!inputs.laws.is_empty() || !inputs.jumps.empty());
+  const auto parts = may_jump ? inputs.laws.parts(state.t, end, inputs.jumps) : std::vector<StepPart>{};
+  in_parts = !parts.empty();
+  if (inputs.is_constant && !in_parts) {
+    const Status status = engine.step(state, h);
+    if (status.ok()) state.t = end;
+    return status;
+  }
+  GenericState trial = state;
+  if (!in_parts) engine.set_inputs(inputs.of_step(state.t, h));
+  const Status stepped = in_parts ? step_in_parts(engine, inputs, parts, trial) : engine.step(trial, h);
+  trial.t = end;
+  engine.set_inputs(inputs.at(end));
+  if (!stepped.ok()) return stepped;
+  const Status status = engine.project(trial);
+  if (!status.ok()) return status;
+  state = std::move(trial);
+  return graver(stepped, status);
+}
+
 SimulationSummary simulate(const Engine& engine, const GenericState& state, const InputsOverTime& given,
                            const SimulationSettings& settings, const std::function<void(const Sample&)>& on_sample,
                            const InputControl& control) {
@@ -236,6 +258,7 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
   SimulationSummary summary;
   InputsOverTime inputs = given;
   inputs.is_constant = inputs.is_constant && !control;
+  if (settings.is_error_controlled) inputs.laws = {}, inputs.jumps = {};  // its own steps end there
   Collector collector(settings.step);
   Notices notices(settings.step);
   Sample sample;
@@ -270,12 +293,14 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
       collector.add_after_jump(*power);
     const Clock::time_point before = Clock::now();
     const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);
-    summary.status = step(engine, inputs, settings.step, end, moving);
+    bool in_parts = false;
+    summary.status = step_motion(engine, inputs, settings.step, end, moving, in_parts);
     summary.solver_seconds += seconds_since(before);
     if (!summary.status.ok()) break;
+    if (in_parts && ++summary.parted_steps == 1) summary.first_parted = end;
     notices.add(summary.status, moving.t, summary.blocks);
     if (!has_all) continue;
-    const auto power = power_before_row(engine, inputs, settings.step, summary.end_time, moving);
+    const auto power = power_before_jump(engine, inputs, settings.step, summary.end_time, moving, in_parts);
     if (power) collector.add_before_jump(*power);
   }
   notices.finish(summary.end_time, summary.blocks);

@@ -11,11 +11,11 @@ namespace mbgen {
 
 struct SimulationSettings {
   long steps = 0;
-  double step = 0;                        ///< s
-  bool has_multipliers = false;           ///< the samples are to have them
-  bool is_error_controlled = false;       ///< the engine chooses its own steps inside of these
-  /// Whether a point is to be a sample; none: all are. Where some are not, they are stepped over, and the summary has no
-  /// energies. Requires: no control.
+  double step = 0;                   ///< s
+  bool has_multipliers = false;      ///< the samples are to have them
+  bool is_error_controlled = false;  ///< the engine chooses its own steps inside of these
+  /// Whether a point is to be a sample; none: all are. Where some are not, they are stepped over, and the summary has
+  /// no energies. Requires: no control.
   std::function<bool(long step)> is_sample = {};
   std::function<bool()> is_stopped = {};  ///< asked after every point: whether somebody wants the motion to end there
 };
@@ -78,6 +78,8 @@ struct SimulationSummary {
   int fastest = -1;                 ///< the coordinate that had it
   GenericState last;                ///< the last good state
   std::vector<BlockEvents> blocks;  ///< per loop block, as far as anything was met
+  long parted_steps = 0;            ///< that were made in parts, see step_motion
+  double first_parted = 0;          ///< s, the end of the first of them
   Status status;                    ///< of the step that failed, or ok
   bool is_stopped = false;          ///< before its end, as the settings say
   /// Whether energy beyond rounding was exchanged: otherwise the relative error of the balance has no meaning.
@@ -86,6 +88,13 @@ struct SimulationSummary {
   /// found.
   double passable_step = 0;
 };
+
+/// One step of h seconds to the time `end`, with its given inputs and the inputs at its end. Where laws of time have an
+/// instant in the step or at its ends, and where a held input jumps in it, the step is made in parts, each on one side
+/// of the instant; a model with sampled values is stepped as a whole. in_parts: whether it was made in parts. The state
+/// is unchanged on failure.
+Status step_motion(const Engine& engine, const InputsOverTime& inputs, double h, double end, GenericState& state,
+                   bool& in_parts);
 
 /// Sets the courses of inputs from a point of the motion on, before the step that starts there. Result: false to end
 /// the motion at this point.

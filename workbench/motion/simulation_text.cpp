@@ -119,6 +119,14 @@ std::string blocks_text(const SimulationRecord& record) {
   return text;
 }
 
+/// Steps that were made in parts: an embedded solver makes them as a whole.
+std::string parts_text(const SimulationSummary& summary) {
+  if (summary.parted_steps == 0) return "";
+  return fmt::format("  {} in parts, {}at t = {:.6g} s: laws of t or held inputs change there\n",
+                     summary.parted_steps == 1 ? "a step" : fmt::format("{} steps", summary.parted_steps),
+                     summary.parted_steps == 1 ? "" : "the first ", summary.first_parted);
+}
+
 Json blocks_json(const SimulationRecord& record) {
   Json blocks = Json::array();
   for (std::size_t b = 0; b < record.summary.blocks.size(); ++b) {
@@ -153,6 +161,7 @@ Json results_json(const SimulationRecord& record) {
       {"step", record.settings.step},
       {"end_time", summary.end_time},
       {"status", status_text(record)},
+      {"steps_in_parts", summary.parted_steps},
       {"blocks", blocks_json(record)},
       {"position_residual", summary.largest.position},
       {"velocity_residual", summary.largest.velocity},
@@ -232,6 +241,7 @@ std::string summary_text(const SimulationRecord& record) {
                   energy.change, energy.work, energy.error(),
                   summary.exchanges_energy() ? fmt::format("{:.1e} relative", energy.relative_error()) : "rounding");
   text += fmt::format("  status                    {} at t = {:.6g} s\n", status_text(record), summary.end_time);
+  text += parts_text(summary);
   text += blocks_text(record);
   text += record.manoeuvre.lines;
   if (!record.are_inputs_constant) text += ranges_text("input", summary.inputs, record.compilation.model.inputs);

@@ -36,12 +36,9 @@ StepErrorWatch::StepErrorWatch(const Compilation& compilation, const Engine& eng
 }
 
 bool StepErrorWatch::step(GenericState& state, double length, double end) {
-  engine_->set_inputs(inputs_->is_constant ? inputs_->at(state.t) : inputs_->of_step(state.t, length));
-  if (!engine_->step(state, length).ok()) return false;
-  state.t = end;
-  if (inputs_->is_constant) return true;
-  engine_->set_inputs(inputs_->at(end));
-  return engine_->project(state).ok();
+  if (inputs_->is_constant) engine_->set_inputs(inputs_->at(state.t));
+  bool in_parts = false;
+  return step_motion(*engine_, *inputs_, length, end, state, in_parts).ok();
 }
 
 void StepErrorWatch::add(const Sample& sample) {
