@@ -1,6 +1,7 @@
 #include "runtime/generic/balance.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "compiler/model/auxiliary_states.hpp"
 #include "runtime/generic/rest_forces.hpp"
@@ -92,9 +93,17 @@ Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, co
   return stiffness_by_differences(solver, equations, state, b, pinned, stiffness);
 }
 
+Eigen::VectorXd effective_inertia(const Balance& b) {
+  constexpr double kRounding = 1e-28;  // of the largest inertia: squares of rounded directions
+  constexpr double kInPlace = 1e-12;   // kg or kg m^2, of the largest inertia where that is below 1
+  const double largest = b.inertia.size() > 0 ? b.inertia.maxCoeff() : 0;
+  const double in_place = std::max(kInPlace * std::min(largest, 1.0), std::numeric_limits<double>::min());
+  return (b.inertia.array() > kRounding * largest).select(b.inertia, in_place);
+}
+
 double unbalanced_acceleration(const Balance& b) {
   if (b.rz.cols() == 0) return 0;
-  return (b.rz * b.force.head(b.rz.cols()).cwiseQuotient(b.inertia.cwiseMax(1e-12))).cwiseAbs().maxCoeff();
+  return (b.rz * b.force.head(b.rz.cols()).cwiseQuotient(effective_inertia(b))).cwiseAbs().maxCoeff();
 }
 
 }  // namespace mbgen

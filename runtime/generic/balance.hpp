@@ -45,6 +45,9 @@ Status stiffness_by_differences(const GenericSolver& solver, GenericEquations& e
 Status stiffness_at(const GenericSolver& solver, GenericEquations& equations, const GenericState& state,
                     const Balance& b, const Pinned& pinned, Eigen::MatrixXd& stiffness);
 
+/// Inertias of the free directions; a small one in place of none where a direction moves no mass.
+Eigen::VectorXd effective_inertia(const Balance& b);
+
 /// Largest acceleration of a coordinate that the forces would cause if every free direction moved alone.
 double unbalanced_acceleration(const Balance& b);
 

@@ -40,7 +40,7 @@ WeightedBalance weighted(const Balance& b, const Eigen::MatrixXd& stiffness) {
   WeightedBalance w;
   const Eigen::Index free = b.rz.cols();
   const Eigen::Index states = b.force.size() - free;
-  const Eigen::VectorXd scale = b.inertia.cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd scale = effective_inertia(b).cwiseSqrt().cwiseInverse();
   w.unit = free > 0 ? scale.minCoeff() : 1;
   w.reach = Eigen::VectorXd::Constant(stiffness.cols(), kSlipReach);
   w.reach.head(free) = scale / w.unit;

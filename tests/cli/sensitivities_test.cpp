@@ -210,5 +210,27 @@ TEST_F(Sensitivities, PastASingularPositionAreDoubted) {
   EXPECT_EQ(mbgen(run + "0.1").err.find("are not exact"), std::string::npos);
 }
 
+// Closed form: with the jump of -b at x = s the velocity at the end is u - b (T - (s - x0) / u), so its derivative by s
+// is b / u = 60; that of the steps is 0. A kink at the same place, and a jump at an instant that does not move, are
+// exact.
+TEST_F(Sensitivities, PastAJumpAreDoubted) {
+  const auto warned = [&](const std::string& force, const std::string& parameter) {
+    write("jump.json", R"({ "mbgen": 1, "gravity": [0, 0, 0],
+      "parameters": { "s": { "value": 0.00505 }, "b": { "value": 6 } },
+      "bodies": { "ground": { "points": { "A": [0, 0, 0] } },
+                  "m": { "mass": 1, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } } },
+      "joints": { "x": { "type": "prismatic", "from": "ground.A", "to": "m.A", "axis": "x" } },
+      "joint_forces": { "f": { "joint": "x", "force": ")" +
+                           force + R"(" } },
+      "initial": { "velocities": { "x": 0.1 } }, "outputs": { "v": { "joint": "x", "quantity": "velocity" } } })");
+    const Outcome run =
+        mbgen("simulate jump.json --step 1e-3 --duration 0.06 --out jump.csv --sensitivities " + parameter);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.err.find("derivatives after t = 0.051 s are not exact: a law jumps there") != std::string::npos;
+  };
+  EXPECT_TRUE(warned("-b*step(z.x - s)", "s"));
+  EXPECT_FALSE(warned("-b*step(t - 0.051) - 9*b*max(z.x - s, 0)", "b"));
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

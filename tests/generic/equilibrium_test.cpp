@@ -36,6 +36,26 @@ TEST(Equilibrium, MassHangsOnItsSpring) {
   EXPECT_EQ(state.zd, std::vector<double>(2, 0.0));
 }
 
+// Sources of the values: cos(q) = q for a spring that holds the bob at 1 rad if it hung level, and m g / k.
+TEST(Equilibrium, SmallPartsBesideALargeOneComeToRest) {
+  const Mechanism m = mechanism_of(R"({ "mbgen": 1, "gravity": [0, 0, -9.81],
+    "bodies": {
+      "ground": { "points": { "A": [0, 0, 0], "B": [0, 0, 1] } },
+      "bob": { "mass": 1e-12, "com": [1e-4, 0, 0], "inertia": [0, 0, 0], "points": { "A": [0, 0, 0] } },
+      "large": { "mass": 2, "inertia": [1, 1, 1], "points": { "A": [0, 0, 0] } }
+    },
+    "joints": {
+      "pin": { "type": "revolute", "from": "ground.A", "to": "bob.A", "axis": "y" },
+      "slide": { "type": "prismatic", "from": "ground.A", "to": "large.A", "axis": "z" }
+    },
+    "springs": { "large": { "from": "ground.B", "to": "large.A", "stiffness": 2e5 } },
+    "joint_springs": { "hair": { "joint": "pin", "stiffness": 9.81e-16 } } })");
+  GenericState state = reference_state(m);
+  ASSERT_TRUE(GenericSolver(m.model, m.topology, m.analysis).equilibrium(state).ok());
+  EXPECT_NEAR(state.z[0], 0.73908513321516064, 1e-9);
+  EXPECT_NEAR(state.z[1], -2 * 9.81 / 2e5, 1e-12);
+}
+
 // A step of Newton from near the top would end at the top.
 TEST(Equilibrium, BobGoesDownhillFromNearTheTop) {
   const Mechanism m = mechanism_of(mass_and_bob(R"("soft": { "joint": "slide", "stiffness": 15 })"));

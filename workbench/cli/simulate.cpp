@@ -30,6 +30,7 @@
 #include "workbench/motion/motion_table.hpp"
 #include "workbench/motion/simulation_arguments.hpp"
 #include "workbench/motion/simulation_text.hpp"
+#include "workbench/sensitivity/jump_watch.hpp"
 #include "workbench/sensitivity/tangent_engine.hpp"
 #include "workbench/start/initial_state.hpp"
 
@@ -56,7 +57,7 @@ struct Run {
 
 Run compute(const Compilation& compilation, const EngineChoice& choice, TangentEngine& moving,
             const InputsOverTime& inputs, SimulationSettings settings, const std::optional<ErrorControl>& control,
-            MotionTable& table, ManoeuvreRun* manoeuvre) {
+            MotionTable& table, ManoeuvreRun* manoeuvre, JumpWatch* jumps) {
   const Engine& engine = moving.engine;
   Start start = initial_start(compilation, inputs.at(0));
   start.state = initial_state(start, engine);
@@ -77,6 +78,7 @@ Run compute(const Compilation& compilation, const EngineChoice& choice, TangentE
   Run run{judged_motion(task,
                         [&](const Sample& sample) {
                           table.add(sample, output_derivatives(moving));
+                          if (jumps) jumps->add(sample);
                           progress.show(sample.step, settings.steps);
                         }),
           start.moved};
@@ -123,8 +125,8 @@ int run_inverse(const SimulateOptions& options) {
                            options.engine, options.simulation, options.every, options.json});
 }
 
-/// Warns of derivatives past a singular position: they are those of the branch that the step found.
-void doubt_derivatives(JudgedMotion& motion) {
+/// Warns of derivatives past a singular position, which are those of the branch that the step found, and past a jump.
+void doubt_derivatives(const JumpWatch& jumps, JudgedMotion& motion) {
   std::optional<double> first;
   for (const BlockEvents& block : motion.summary.blocks)
     if (block.singular_met > 0)
@@ -132,6 +134,7 @@ void doubt_derivatives(JudgedMotion& motion) {
   if (first)
     motion.verdict.warnings.push_back(fmt::format(
         "derivatives after t = {:.6g} s are not exact: the motion passed a singular position there", *first));
+  if (!jumps.warning().empty()) motion.verdict.warnings.push_back(jumps.warning());
 }
 
 /// Fails: UserError for options whose motion has no derivatives.
@@ -191,8 +194,11 @@ int run(SimulateOptions options) {
   MotionTable table(options.file, table_format(options.format, options.file), compilation, settings.step, options.every,
                     std::move(read), derivative_headings(compilation.model, options.sensitivities));
   TangentEngine engine = engine_of(compilation, choice, kept, options.sensitivities);
-  Run run = compute(compilation, choice, engine, inputs, settings, control, table, manoeuvre.get());
-  if (!options.sensitivities.empty()) doubt_derivatives(run.motion);
+  std::optional<JumpWatch> jumps;
+  if (!options.sensitivities.empty()) jumps.emplace(compilation, options.sensitivities);
+  Run run = compute(compilation, choice, engine, inputs, settings, control, table, manoeuvre.get(),
+                    jumps ? &*jumps : nullptr);
+  if (jumps) doubt_derivatives(*jumps, run.motion);
   const JudgedMotion& motion = run.motion;
   const SimulationRecord record{compilation,
                                 choice,

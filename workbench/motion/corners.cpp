@@ -1,5 +1,6 @@
 #include "workbench/motion/corners.hpp"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -116,16 +117,49 @@ std::vector<double> Corners::conditions(const GenericState& state, const std::ve
   return values;
 }
 
+GenericDerivative Corners::held_rates(const GenericState& state, const std::vector<double>& inputs,
+                                      const std::vector<double>& sides) const {
+  const std::vector<double> values = results(held_, state, inputs, sides);
+  GenericDerivative rates{std::vector<double>(state.zd.size(), 0.0), std::vector<double>(state.x.size(), 0.0)};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Slot& slot = held_.outputs[i].slot;
+    (slot.group == SlotGroup(Array::zdd) ? rates.zdd : rates.xd)[static_cast<std::size_t>(slot.index)] = values[i];
+  }
+  return rates;
+}
+
 GenericDerivative Corners::difference(const GenericState& state, const std::vector<double>& inputs,
                                       const std::vector<double>& sides, const std::vector<double>& other) const {
-  const std::vector<double> with = results(held_, state, inputs, sides), without = results(held_, state, inputs, other);
-  GenericDerivative change{std::vector<double>(state.zd.size(), 0.0), std::vector<double>(state.x.size(), 0.0)};
-  for (std::size_t i = 0; i < with.size(); ++i) {
-    const Slot& slot = held_.outputs[i].slot;
-    (slot.group == SlotGroup(Array::zdd) ? change.zdd : change.xd)[static_cast<std::size_t>(slot.index)] =
-        with[i] - without[i];
-  }
+  GenericDerivative change = held_rates(state, inputs, sides);
+  const GenericDerivative without = held_rates(state, inputs, other);
+  for (std::size_t i = 0; i < change.zdd.size(); ++i) change.zdd[i] -= without.zdd[i];
+  for (std::size_t i = 0; i < change.xd.size(); ++i) change.xd[i] -= without.xd[i];
   return change;
+}
+
+GenericDerivative Corners::rates(const GenericState& state, const std::vector<double>& inputs) const {
+  std::vector<double> sides = conditions(state, inputs);
+  for (double& side : sides) side = side >= 0 ? 1 : -1;
+  return held_rates(state, inputs, sides);
+}
+
+std::vector<bool> Corners::follow(const std::vector<int>& tunable) const {
+  std::vector<bool> follows;
+  for (const Node& node : conditions_.nodes) {
+    bool any = false;
+    if (node.op == Op::input) {
+      const Slot& slot = conditions_.inputs[static_cast<std::size_t>(node.input)];
+      const auto is_of = [&](Array array) { return slot.group == SlotGroup(array); };
+      any = is_of(Array::z) || is_of(Array::zd) || is_of(Array::x) ||
+            (is_of(Array::par) && std::ranges::find(tunable, slot.index) != tunable.end());
+    }
+    for (int k = 0; k < arity(node.op); ++k) any = any || follows[node.operands[k]];
+    follows.push_back(any);
+  }
+  std::vector<bool> result(count());
+  for (const OutputValue& output : conditions_.outputs)
+    result[static_cast<std::size_t>(output.slot.index)] = follows[output.value];
+  return result;
 }
 
 }  // namespace mbgen

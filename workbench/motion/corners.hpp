@@ -24,10 +24,18 @@ class Corners {
   /// beyond its corner.
   GenericDerivative difference(const GenericState& state, const std::vector<double>& inputs,
                                const std::vector<double>& sides, const std::vector<double>& other) const;
+  /// Rates with the sides that the conditions have. state: in the angles of the model.
+  GenericDerivative rates(const GenericState& state, const std::vector<double>& inputs) const;
+  /// Whether each condition changes with the state, or with one of these tunable parameters, counted from 0.
+  std::vector<bool> follow(const std::vector<int>& tunable) const;
 
  private:
   std::vector<double> results(const Program& program, const GenericState& state, const std::vector<double>& inputs,
                               const std::vector<double>& sides) const;
+
+  /// Rates where each corner is on the side that is given.
+  GenericDerivative held_rates(const GenericState& state, const std::vector<double>& inputs,
+                               const std::vector<double>& sides) const;
 
   Program conditions_;  ///< Array::residual: what each corner chooses by
   Program held_;        ///< the accelerations with Array::seed, the sides
