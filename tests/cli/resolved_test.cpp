@@ -291,5 +291,14 @@ TEST_F(Resolved, LoadsWithoutAPeriodFollowTheStep) {
   EXPECT_EQ(sweep.err.find("is no multiple of the step"), std::string::npos) << sweep.err;
 }
 
+// Periods of 10 ms and 15 ms.
+TEST_F(Resolved, AStepFitsAllPeriodsOrAFittingOneIsNamed) {
+  const std::string slide = "simulate '" + kSource + "/tests/data/fmi/sampled_slide.json' --engine generic --out o.csv";
+  const Outcome run = mbgen(slide + " --duration 0.06 --step 4e-3");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("hint: --step 0.0025, "), std::string::npos) << run.err;
+  EXPECT_EQ(mbgen(slide + " --duration 0.06 --step 2.5e-3").exit_code, 0);
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

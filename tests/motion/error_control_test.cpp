@@ -76,6 +76,21 @@ TEST_F(ErrorControl, JudgesFixedSteps) {
   expect_same_motion(judge, cartesian, 2e-6);
 }
 
+// A mass falls from rest against a damper by a smooth table, which is straight here: v = -g (1 - exp(-10 t)) / 10. The
+// start lies on a line of the table, which steps from there found again a hundred times in each row.
+TEST_F(ErrorControl, StartsAtACornerOfATable) {
+  write("damper.json", R"json({ "mbgen": 1,
+    "maps": { "damper": { "x": [0, 1], "y": [-1, 0, 1], "z": [[10, 0, -10], [10, 0, -10]],
+                          "interpolation": "monotone_cubic", "outside": "hold" } },
+    "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+                "mass": { "mass": 1, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } } },
+    "joints": { "z": { "type": "prismatic", "from": "ground.O", "to": "mass.O", "axis": "z" } },
+    "joint_forces": { "damper": { "joint": "z", "force": "table('damper', 0.5, zd.z)" } } })json");
+  const Table table = motion("damper.json", "--duration 0.02 --step 1e-3 --integrator cvode --tolerance 1e-11");
+  EXPECT_NEAR(table.last("zd.z [m/s]"), 0.981 * std::expm1(-0.2), 1e-9);
+  EXPECT_LT(counted("restarts"), 10);
+}
+
 // A controller every 10 ms, with a delay, and a sensor every 15 ms: steps stop at each instant. Runge-Kutta's method is
 // exact on the parabolas between them; tests/fmi holds that motion against its difference equation.
 TEST_F(ErrorControl, StopsAtInstantsOfSampledValues) {

@@ -54,6 +54,8 @@ class CvodeStepper : public Stepper {
   bool went_astray();
   /// Restarts the motion from the step before the last one.
   void step_back();
+  /// Whether a corner is neither looked for nor held on a side until the next row.
+  bool is_passed_freely(std::size_t corner) const { return stays_[corner] != 0 || corners_ >= kMostCorners; }
   Status at(double t, GenericState& state);
   Status fail(int flag);
   void count();
@@ -86,6 +88,7 @@ class CvodeStepper : public Stepper {
   GenericState start_, last_;  ///< of the last start
   std::vector<int> crossed_,
       loose_;                  ///< per corner: passed at the last start, upwards 1 or downwards -1; held on no side
+  std::vector<int> stays_;     ///< per corner: 1 where the motion stays at it, since the last row of the table
   Status trouble_;             ///< of the last evaluation that failed since the last good step
   std::string message_;        ///< of CVODE
   ErrorControlRecord before_;  ///< counts up to the last start
@@ -115,7 +118,7 @@ int CvodeStepper::conditions(sunrealtype t, N_Vector y, sunrealtype* values, voi
   const std::vector<double> found = stepper.motion_.conditions(t, N_VGetArrayPointer(y));
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool is_at_corner = t == stepper.start_.t && (stepper.crossed_[i] != 0 || found[i] == 0);
-    const bool is_known = !is_at_corner && std::isfinite(found[i]) && stepper.corners_ < kMostCorners;
+    const bool is_known = !is_at_corner && std::isfinite(found[i]) && !stepper.is_passed_freely(i);
     values[i] = !is_known ? 0.0 : found[i] == 0 ? kUpperSide : found[i];
   }
   return 0;
@@ -145,12 +148,9 @@ Status CvodeStepper::set_sampled(GenericState& state) {
 void CvodeStepper::make(const GenericState& state) {
   const auto size = static_cast<sunindextype>(motion_.size());
   const auto vector = [&] { return Owned<_generic_N_Vector>(N_VNew_Serial(size, context_.get()), N_VDestroy); };
-  y_ = vector();
-  dense_ = vector();
-  absolute_ = vector();
-  for (sunindextype i = 0; i < size; ++i) {
+  for (Owned<_generic_N_Vector>* of : {&y_, &dense_, &absolute_}) *of = vector();
+  for (sunindextype i = 0; i < size; ++i)
     NV_Ith_S(absolute_.get(), i) = control_.tolerance * motion_.size_of(static_cast<std::size_t>(i));
-  }
   const int method = control_.method == ErrorControl::Method::bdf ? CV_BDF : CV_ADAMS;
   cvode_ = {CVodeCreate(method, context_.get()), [](void* memory) { CVodeFree(&memory); }};
   motion_.copy(state, N_VGetArrayPointer(y_.get()));
@@ -204,15 +204,14 @@ Status CvodeStepper::start(GenericState state) {
 
 void CvodeStepper::take_sides() {
   const std::size_t corners = motion_.corners();
-  crossed_.resize(corners);
-  loose_.resize(corners);
+  for (std::vector<int>* of : {&crossed_, &loose_, &stays_}) of->resize(corners);
   if (corners == 0) return;
   std::vector<double> y(motion_.size());
   motion_.copy(start_, y.data());
   std::vector<double> sides = motion_.conditions(t_, y.data());
   for (std::size_t i = 0; i < corners; ++i) {
     const int side = sides[i] > 0 ? 1 : sides[i] < 0 ? -1 : 0;
-    sides[i] = loose_[i] != 0 || corners_ >= kMostCorners ? 0 : crossed_[i] != 0 ? crossed_[i] : side;
+    sides[i] = loose_[i] != 0 || is_passed_freely(i) ? 0 : crossed_[i] != 0 ? crossed_[i] : side;
   }
   motion_.hold(std::move(sides));
 }
@@ -223,7 +222,10 @@ bool CvodeStepper::passes_corners() {
   double h = 0;
   CVodeGetLastStep(cvode_.get(), &h);
   h *= kBesideCorner;
-  if (CVodeGetDky(cvode_.get(), t_ - h, 0, dense_.get()) != CV_SUCCESS) return true;
+  if (CVodeGetDky(cvode_.get(), t_ - h, 0, dense_.get()) != CV_SUCCESS) {  // the step has just begun: rounding found it
+    std::ranges::transform(found, stays_, stays_.begin(), [](int at, int stays) { return at != 0 ? 1 : stays; });
+    return true;
+  }
   // At this distance beyond the corner, laws that depend on the changed ones have changed their side too.
   N_VLinearSum(2, y_.get(), -1, dense_.get(), dense_.get());
   const double *y = N_VGetArrayPointer(y_.get()), *beyond = N_VGetArrayPointer(dense_.get());
@@ -361,6 +363,7 @@ Status CvodeStepper::step(GenericState& state, double h) {
     if (const Status status = start(state); !status.ok()) return status;
   }
   corners_ = 0;
+  stays_.assign(stays_.size(), 0);
   for (long steps = 0; t_ < target - none; ++steps) {
     if (steps == kMostSteps) return fail(CV_SUCCESS);
     if (const Status status = advance(); !status.ok()) return status;

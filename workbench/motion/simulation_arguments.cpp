@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "compiler/reader/read_model.hpp"
 #include "compiler/text/user_error.hpp"
@@ -22,6 +23,24 @@ Interpolation interpolation_of(const std::string& name) {
   if (name == "hold") return Interpolation::hold;
   throw UserError(
       fmt::format("--interpolation: no interpolation \"{}\"; there are: pchip, linear, spline, hold\n", name));
+}
+
+/// Whether a period is a whole number of steps, both s.
+bool is_multiple(double period, double step) {
+  const double ratio = period / step, whole = std::nearbyint(ratio);
+  return whole >= 1 && std::abs(ratio - whole) <= kSamePeriod * whole;
+}
+
+/// The longest step up to `step`, s, of which every period is a multiple; none among the first parts of one period.
+std::optional<double> whole_step(const Model& model, double step) {
+  constexpr int kMostParts = 10000;
+  const double period = model.sampled.front().period;
+  const int fewest = static_cast<int>(std::clamp(std::ceil(period / step), 1.0, static_cast<double>(kMostParts)));
+  for (int parts = fewest; parts <= kMostParts; ++parts) {
+    const auto is_whole = [&](const SampledValue& value) { return is_multiple(value.period, period / parts); };
+    if (std::ranges::all_of(model.sampled, is_whole)) return period / parts;
+  }
+  return {};
 }
 
 }  // namespace
@@ -100,12 +119,13 @@ void follow_step(const SimulationSettings& settings, std::vector<VariedParameter
 
 void require_whole_periods(const SimulationSettings& settings, const Model& model) {
   for (const SampledValue& value : model.sampled) {
-    const double ratio = value.period / settings.step, whole = std::nearbyint(ratio);
-    if (whole >= 1 && std::abs(ratio - whole) <= kSamePeriod * whole) continue;
+    if (is_multiple(value.period, settings.step)) continue;
+    const std::optional<double> fitting = whole_step(model, settings.step);
     throw UserError(
-        fmt::format("--step: \"{}\" is set every {:g} s, which is no multiple of the step {:g} s\n  hint: --step {}, "
-                    "and a duration of whole periods\n",
-                    value.name, value.period, settings.step, value.period / std::max(1.0, std::ceil(ratio))));
+        fmt::format("--step: \"{}\" is set every {:g} s, which is no multiple of the step {:g} s\n  hint: {}\n",
+                    value.name, value.period, settings.step,
+                    fitting ? fmt::format("--step {}, and a duration of whole periods", *fitting)
+                            : "a step of which every \"period\" is a multiple, and a duration of whole periods"));
   }
 }
 
