@@ -185,7 +185,9 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"late_equation", table("unsigned char", "kLateEquation", items_of(late))},
           {"early_rank", has_late ? table("int", "kEarlyRank", items_of(early_rank)) : ""},
           {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
-          {"block_layout", table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")},
+          {"block_layout", is_number(scalar) || !blocks.empty()
+                               ? table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")
+                               : ""},
           {"fine_tables", is_number(scalar) && layout.chooses_again ? fine_tables(context) : ""},
           {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
           {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},

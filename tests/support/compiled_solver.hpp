@@ -78,9 +78,8 @@ inline std::string compile_command(const Compiler& compiler) {
 
 /// Symbols that an object file leaves to others: of libm alone, unless something is wrong.
 inline std::vector<std::string> foreign_symbols(const fs::path& object) {
-  static const std::array allowed = {"sin",  "cos",  "sincos", "tan",  "asin",
-                                     "acos", "atan", "atan2",  "exp",  "log",
-                                     "pow",  "tanh", "sqrt",   "fabs", "_GLOBAL_OFFSET_TABLE_"};
+  static const std::array allowed = {"sin", "cos", "sincos", "tan",  "asin", "acos", "atan",  "atan2",
+                                     "exp", "log", "pow",    "tanh", "sqrt", "fabs", "floor", "_GLOBAL_OFFSET_TABLE_"};
   std::vector<std::string> foreign;
   std::istringstream lines(run("nm -u " + object.string()).text);
   for (std::string mark, symbol; lines >> mark >> symbol;) {
