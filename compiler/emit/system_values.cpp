@@ -119,6 +119,12 @@ std::string polynomial(const Model& model, const SolverNames& names, int input, 
   return fmt::format("{} + {} * {}", value, factor, is_last ? rest : fmt::format("({})", rest));
 }
 
+/// The table of loop blocks; lanes without blocks do not read it.
+std::string block_layout(const Items& blocks, Scalar scalar) {
+  if (blocks.empty() && !is_number(scalar)) return "";
+  return table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}");
+}
+
 /// Each input dt seconds after `inputs`: `member`, `value`. scalar: type of the inputs.
 FrameRows later_inputs(const Model& model, const SolverNames& names, Scalar scalar) {
   FrameRows rows;
@@ -185,9 +191,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"late_equation", table("unsigned char", "kLateEquation", items_of(late))},
           {"early_rank", has_late ? table("int", "kEarlyRank", items_of(early_rank)) : ""},
           {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
-          {"block_layout", is_number(scalar) || !blocks.empty()
-                               ? table("mbgen::BlockLayout", "kBlockLayout", blocks, "{0, 0, 0, 0, 0, 0, 0, 0, 0.0}")
-                               : ""},
+          {"block_layout", block_layout(blocks, scalar)},
           {"fine_tables", is_number(scalar) && layout.chooses_again ? fine_tables(context) : ""},
           {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
           {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},
