@@ -73,6 +73,12 @@ double piece_of(const NamedTable& named, double x) {
   return periods * static_cast<double>(table.x.size() - 1) + static_cast<double>(piece);
 }
 
+/// Whether one of ascending instants lies between two.
+bool has_any(const std::vector<double>& instants, double from, double to) {
+  const auto next = std::ranges::upper_bound(instants, from);
+  return next != instants.end() && *next < to;
+}
+
 /// Whether the slope of a table jumps somewhere.
 bool has_corners(const NamedTable& named) {
   const auto* curve = std::get_if<Table>(&named.table);
@@ -123,10 +129,18 @@ std::vector<double> LawInstants::sides(double t) const {
   return result;
 }
 
+bool LawInstants::changes(const std::array<double, 4>& times) const {
+  return std::ranges::any_of(conditions_, [&](const Condition& condition) {
+    const double first = side(condition, times.front());
+    return std::any_of(times.begin() + 1, times.end(), [&](double t) { return side(condition, t) != first; });
+  });
+}
+
 std::vector<StepPart> LawInstants::parts(double start, double end, const std::vector<double>& jumps) const {
   const double rounding = kRoundings * (std::nextafter(std::abs(end), HUGE_VAL) - std::abs(end));
   const double beside = std::max(kBeside * (end - start), rounding);
   const double from = start + beside, to = end - beside;
+  if (!changes({start - beside, from, to, end + beside}) && !has_any(jumps, from, to)) return {};
   std::vector<StepPart> cuts;  // from just before an instant to just after it
   std::vector<double> now = sides(from);
   const std::vector<double> last = sides(to);

@@ -2,6 +2,7 @@
 // Instants at which laws of a model that depend on time alone jump or have a corner: a switch by step(t - 1), the end
 // of a ramp min(1, t), a point of a table with straight pieces.
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,8 @@ class LawInstants {
   void add(const Expression& expression, const std::vector<bool>& of_time);
   double side(const Condition& condition, double t) const;
   std::vector<double> sides(double t) const;
+  /// Whether a law has another branch at one of these times than at the first.
+  bool changes(const std::array<double, 4>& times) const;
 
   std::vector<Condition> conditions_;
   std::vector<double> parameters_;  ///< in the order of the model
