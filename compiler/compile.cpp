@@ -73,7 +73,8 @@ Result<Compilation> decide(const std::string& path) {
 Diagnostics too_large(const Compilation& c, std::optional<Form> form) {
   const auto [matrix, recursive] = least_operations(c.topology, c.analysis);
   const double least = !form ? std::min(matrix, recursive) : *form == Form::matrix ? matrix : recursive;
-  const double implicit = least <= kMostOperations ? implicit_operations(c.model, c.topology, c.analysis) : 0;
+  const double implicit =
+      least <= kMostOperations ? implicit_operations(c.model, c.topology, c.analysis, kMostOperations) : 0;
   if (std::max(least, implicit) <= kMostOperations) return {};
   const bool of_steps = implicit > kMostOperations;
   const bool other = form && !of_steps && std::min(matrix, recursive) <= kMostOperations;

@@ -71,10 +71,10 @@ class Pattern {
     return directions;
   }
 
-  /// Operations of the elimination from the last row to the first, fill-in included.
-  double operations() {
+  /// Operations of the elimination from the last row to the first, fill-in included, until they are more than `most`.
+  double operations(double most) {
     double count = 0;
-    for (std::size_t q = entries_.size(); q-- > 0;) {
+    for (std::size_t q = entries_.size(); q-- > 0 && count <= most;) {
       std::vector<int> others;
       for (std::size_t b = 0; b < q; ++b)
         if (entries_[q][b]) others.push_back(static_cast<int>(b));
@@ -97,7 +97,7 @@ class Pattern {
 
 }  // namespace
 
-double implicit_operations(const Model& model, const Topology& topology, const Analysis& analysis) {
+double implicit_operations(const Model& model, const Topology& topology, const Analysis& analysis, double most) {
   if (model.solver.integrator != SolverSettings::Integrator::rosenbrock) return 0;
   const auto n = static_cast<double>(free_coordinates(topology, analysis).size());
   if (n > kMostSymbolic) return n * n * n / 3;
@@ -111,7 +111,7 @@ double implicit_operations(const Model& model, const Topology& topology, const A
       forces += static_cast<double>(directions.size()) * static_cast<double>(directions.size() + 1);
     });
   });
-  return forces + pattern.operations();
+  return forces + pattern.operations(most);
 }
 
 }  // namespace mbgen

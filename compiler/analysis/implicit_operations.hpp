@@ -8,7 +8,8 @@
 namespace mbgen {
 
 /// About the operations of the equations of an implicit step (M - g D - g^2 K): the elimination of the free directions
-/// with the fill-in by elements between two bodies, and their projections; 0 for explicit integrators.
-double implicit_operations(const Model& model, const Topology& topology, const Analysis& analysis);
+/// with the fill-in by elements between two bodies, and their projections; 0 for explicit integrators. The elimination
+/// is counted until it takes more than `most`.
+double implicit_operations(const Model& model, const Topology& topology, const Analysis& analysis, double most);
 
 }  // namespace mbgen

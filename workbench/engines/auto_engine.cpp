@@ -31,7 +31,7 @@ AutoEngine auto_engine(const Compilation& decided, const EngineChoice& choice, l
   }
   const LeastOperations least = least_operations(decided.topology, decided.analysis);
   const double operations = std::min(least.matrix, least.recursive);
-  const double implicit = implicit_operations(decided.model, decided.topology, decided.analysis);
+  const double implicit = implicit_operations(decided.model, decided.topology, decided.analysis, kMostOperations);
   const double compiling =
       kSecondsToCompile + kSecondsToCompileAnOperation * operations + kSecondsToCompileAnImplicitOne * implicit;
   const double generic = static_cast<double>(steps) * (kSecondsOfAStep + kSecondsOfAStepPerOperation * operations +
