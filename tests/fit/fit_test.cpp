@@ -231,5 +231,28 @@ TEST_F(Fit, TakesSingleNumbersAndModesAsTargets) {
   EXPECT_NEAR(direction["stiffness"].get<double>() / direction["mass"].get<double>(), omega * omega, 1e-3);
 }
 
+TEST_F(Fit, ComesToTheEdgeOfTheValuesThatHaveAResult) {
+  // A damping of 1.5 is beyond the critical one, 2 sqrt(stiffness mass) = 20, where the mode oscillates no more: the
+  // least sum of squares is at the edge, beside which one side alone has a result.
+  write("damped.json", R"({ "mbgen": 1, "name": "damped", "include": ["block.json"],
+    "parameters": { "damping": { "value": 1, "unit": "N s/m" } },
+    "joint_springs": { "damper": { "joint": "slide", "damping": "damping" } } })");
+  const Json result = json_of("fit damped.json --target mode:1:damping=1.5:0.01 --free damping=0.1:100 --json");
+  EXPECT_NEAR(value_of(result, "damping"), 20, 1e-4);
+  EXPECT_FALSE(result["converged"]);
+  ASSERT_FALSE(result["warnings"].empty());
+  EXPECT_NE(result["warnings"].back().get<std::string>().find("the model has 0 oscillations"), std::string::npos)
+      << result["warnings"];
+}
+
+TEST_F(Fit, ASumThatFallsNoMoreIsAnEnd) {
+  // x(1) = 0.1 cos(sqrt(stiffness / mass)) is never 0.2: it is nearest at the start of a period, where x has no slope.
+  write("one.csv", "t [s],x [m]\n1,0.2\n");
+  const Json result =
+      json_of("fit block.json --data one.csv --match x:1e-3 --free stiffness=20:60:150 --engine generic --json");
+  EXPECT_NEAR(value_of(result, "stiffness"), 2 * std::pow(2 * std::acos(-1.0), 2), 0.1);
+  EXPECT_TRUE(result["converged"]) << result["warnings"];
+}
+
 }  // namespace
 }  // namespace mbgen::cli_test

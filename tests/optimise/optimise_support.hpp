@@ -16,7 +16,8 @@ inline constexpr const char* kForms = R"({ "mbgen": 1, "name": "forms",
     "far": { "unit": "m^2", "expression": "(p - 1)^2 + q*q" }, "sum": { "unit": "m", "expression": "p + q" },
     "bowl": { "unit": "m^2", "expression": "(p - 2)^2 + (q - 1)^2" },
     "valleys": { "unit": "1", "expression": "(p*p - 1)^2 + 0.2*p + q*q" },
-    "root": { "unit": "m", "expression": "sqrt(p - 0.2) - 0.1*p" } } })";
+    "root": { "unit": "m", "expression": "sqrt(p - 0.2) - 0.1*p" },
+    "verge": { "unit": "m^2", "expression": "p*p + 1e-30*sqrt(p) + 0" } } })";
 
 /// A block on a spring and a damper, released at rest: x'' + 2 d w x' + w^2 x = 0.
 inline constexpr const char* kDamped = R"({ "mbgen": 1, "name": "damped", "gravity": [0, 0, 0],

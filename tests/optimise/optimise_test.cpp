@@ -249,6 +249,13 @@ TEST_F(Optimise, DesignsWithoutAResultAreRefusedAndNamed) {
   EXPECT_EQ(run.out.find("  ok: "), std::string::npos) << run.out;
 }
 
+TEST_F(Optimise, ADesignBesideOnesWithoutAResultIsTaken) {
+  // The edge itself has a result, and derivatives to one side.
+  const Json result = json_of("optimise forms.json --json --free p=-3:3 --goal min:start:verge:1");
+  EXPECT_EQ(result["status"], "ok");
+  EXPECT_NEAR(value_of(result, "p"), 0, 1e-6);
+}
+
 TEST_F(Optimise, ADesignThatBreaksAConstraintIsNeverOk) {
   const Outcome run =
       mbgen("optimise forms.json --free p=-3:3,q=-3:3 --goal min:start:bowl --constraint 'start:sum<=-7' -o none.json");

@@ -4,6 +4,8 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
+#include <algorithm>
+
 #include "workbench/fit/least_squares.hpp"
 
 namespace mbgen::fit {
@@ -70,9 +72,12 @@ extern "C" __attribute__((visibility("default"))) void mbgen_least_squares(const
   options.gradient_tolerance = kSmallGradient;
   options.parameter_tolerance = kSmallStep;
   options.callbacks.push_back(&watch);
+  options.update_state_every_iteration = true;  // a failure beside a point leaves the point, not the start
   ceres::Solver::Summary summary;
   ceres::Solve(options, &of_ceres, &summary);
   result.cost = summary.final_cost;
+  if (!summary.IsSolutionUsable())
+    for (const ceres::IterationSummary& one : summary.iterations) result.cost = std::min(result.cost, one.cost);
   result.iterations = static_cast<int>(summary.iterations.size()) - 1;
   result.converged = summary.termination_type == ceres::CONVERGENCE;
   result.message = summary.message;

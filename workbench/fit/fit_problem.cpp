@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "compiler/algebra/dense.hpp"
 #include "workbench/search/differences.hpp"
@@ -22,24 +23,33 @@ struct Evaluation {
 /// Step of the entries of an inertia's factor. Along them inertias stay those of bodies.
 constexpr double kStepOfFactor = 1e-4;
 
-/// Adds the evaluations for the derivative by an unknown: of an inertia by the entry of its factor.
-void add_evaluations(const FitProblem& problem, std::size_t work, std::size_t unknown,
-                     const std::vector<double>& values, std::vector<Evaluation>& list) {
+/// The derivative of a work by an unknown.
+struct Slope {
+  std::size_t work = 0, unknown = 0;
+  std::vector<DifferenceFormula> formulas = {};
+  std::vector<Evaluation> evaluations = {};  ///< of the formula that is tried
+};
+
+/// The evaluations for the derivative by an unknown: of an inertia by the entry of its factor.
+std::vector<Evaluation> evaluations_of(const FitProblem& problem, const Slope& slope, std::size_t attempt,
+                                       const std::vector<double>& values) {
   std::size_t entry = 0;
-  const FreeInertia* inertia = inertia_of_unknown(problem.inertias, unknown, entry);
-  DifferenceFormula formula = difference_formula(problem.unknowns[unknown], values[unknown]);
+  const FreeInertia* inertia = inertia_of_unknown(problem.inertias, slope.unknown, entry);
+  DifferenceFormula formula = slope.formulas[attempt];
   if (inertia != nullptr) formula.step = kStepOfFactor;
+  std::vector<Evaluation> list;
   for (const auto& [steps, weight] : formula.terms) {
-    Evaluation one{work, unknown, steps, weight / formula.step, values, {}};
+    Evaluation one{slope.work, slope.unknown, steps, weight / formula.step, values, {}};
     if (inertia != nullptr) {
       std::array<double, 6> factor = factor_of(*inertia, values);
       factor[entry] += steps * formula.step;
       set_inertia(*inertia, factor, one.values);
     } else {
-      one.values[unknown] += steps * formula.step;
+      one.values[slope.unknown] += steps * formula.step;
     }
     list.push_back(std::move(one));
   }
+  return list;
 }
 
 double value_or(const std::vector<double>& values, int unknown, double without) {
@@ -93,19 +103,50 @@ void add_nuisance_columns(const FitProblem& problem, const std::vector<double>& 
   }
 }
 
-/// The evaluations that the derivatives need beside those at the point.
-std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<Outcome>& outcomes,
-                                       const std::vector<double>& values) {
-  std::vector<Evaluation> list;
+/// The derivatives that need evaluations beside the point.
+std::vector<Slope> slopes_at(const FitProblem& problem, const std::vector<Outcome>& outcomes,
+                             const std::vector<double>& values) {
+  std::vector<Slope> list;
   for (std::size_t w = 0; w < problem.works.size(); ++w) {
     if (problem.works[w].is_held_out) continue;
     for (std::size_t u = 0; u < problem.unknowns.size(); ++u) {
       const Unknown& unknown = problem.unknowns[u];
       if (!outcomes[w].derivatives.empty() && unknown.kind == Unknown::Kind::parameter) continue;
       if (!unknown.moves_model() || (unknown.run >= 0 && unknown.run != problem.works[w].run)) continue;
-      add_evaluations(problem, w, u, values, list);
+      list.push_back({w, u, difference_formulas(unknown, values[u])});
     }
   }
+  return list;
+}
+
+/// The evaluations beside the point, each derivative by the first of its formulas that has a result. failure: the
+/// reason why one has none.
+std::vector<Evaluation> evaluations_at(const FitProblem& problem, const std::vector<Outcome>& outcomes,
+                                       const std::vector<double>& values, std::string& failure) {
+  std::vector<Slope> slopes = slopes_at(problem, outcomes, values);
+  const auto evaluate = [&](const std::vector<std::size_t>& places, std::size_t attempt) {
+    std::vector<Evaluation*> list;
+    for (const std::size_t place : places) {
+      slopes[place].evaluations = evaluations_of(problem, slopes[place], attempt, values);
+      for (Evaluation& one : slopes[place].evaluations) list.push_back(&one);
+    }
+    run_tasks(problem, list.size(), [&](std::size_t k) {
+      Evaluation& one = *list[k];
+      one.outcome =
+          one.steps == 0 ? outcomes[one.work] : outcome_of(problem, problem.works[one.work], one.values, Care::quick);
+    });
+  };
+  const auto failure_at = [&](std::size_t place) -> std::string {
+    for (const Evaluation& one : slopes[place].evaluations) {
+      const std::string reason = failure_of(problem, problem.works[one.work], one.outcome);
+      if (!reason.empty()) return fmt::format("{} beside: {}", problem.unknowns[one.unknown].name, reason);
+    }
+    return "";
+  };
+  failure = evaluate_by_formulas(slopes.size(), evaluate, failure_at,
+                                 [&](std::size_t place) { return slopes[place].formulas.size(); });
+  std::vector<Evaluation> list;
+  for (Slope& slope : slopes) std::ranges::move(slope.evaluations, std::back_inserter(list));
   return list;
 }
 
@@ -212,19 +253,9 @@ Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values) 
   const std::vector<Outcome> outcomes = fitted_outcomes(problem, values, Care::exact, result.failure);
   if (!result.failure.empty()) return result;
   result.residuals = residuals_of(problem, outcomes, values);
-  std::vector<Evaluation> evaluations = evaluations_at(problem, outcomes, values);
-  run_tasks(problem, evaluations.size(), [&](std::size_t k) {
-    Evaluation& one = evaluations[k];
-    one.outcome =
-        one.steps == 0 ? outcomes[one.work] : outcome_of(problem, problem.works[one.work], one.values, Care::quick);
-  });
-  result.values.setZero(residual_count(problem), static_cast<Eigen::Index>(problem.unknowns.size()));
-  for (const Evaluation& one : evaluations) {
-    const std::string failure = failure_of(problem, problem.works[one.work], one.outcome);
-    if (result.failure.empty() && !failure.empty())
-      result.failure = fmt::format("{} beside: {}", problem.unknowns[one.unknown].name, failure);
-  }
+  const std::vector<Evaluation> evaluations = evaluations_at(problem, outcomes, values, result.failure);
   if (!result.failure.empty()) return result;
+  result.values.setZero(residual_count(problem), static_cast<Eigen::Index>(problem.unknowns.size()));
   each_block(problem, false, [&](std::size_t f, std::size_t c, int row) {
     const MeasuredChannel& measured = problem.files[f].channels[c];
     add_nuisance_columns(problem, values, *series_of(outcomes, measured), measured, row, result.values);

@@ -55,8 +55,8 @@ Residuals residuals(const FitProblem& problem, const std::vector<double>& values
 
 /// Derivatives of the residuals of the fitted files: of motions by parameters exactly, where the model has `tangents`,
 /// of metrics likewise, and by gain, bias and delay; by the other unknowns that move the model by central differences,
-/// at a bound by differences to the inside, both of second order, with steps of 1e-4 of the unknown's scale: errors
-/// near 1e-8.
+/// at a bound, or where the model has no result on one side, by differences to the other, all of second order, with
+/// steps of 1e-4 of the unknown's scale: errors near 1e-8.
 Jacobian jacobian(const FitProblem& problem, const std::vector<double>& values);
 
 /// Kind of the derivatives by the unknowns that move the model, in words.

@@ -99,17 +99,17 @@ LeastSquaresResult run_method(Method method, Search& search, const FitArguments&
 }
 
 /// Says of a search that stopped where the sum of squares still falls that it is at no end: steps that the model
-/// refuses look like an end to the method.
-void judge_end(const LeastSquares& task, const Eigen::VectorXd& at, SearchEnd& result) {
+/// refuses look like an end to the method. refusal: the reason of the last one.
+void judge_end(const LeastSquares& task, const Eigen::VectorXd& at, const std::string& refusal, SearchEnd& result) {
   Reduced end;
   if (!result.converged || !task.evaluate(at, true, end)) return;
   const std::vector<int> free = free_at(task, at, end);
   if (!still_falls(end, free)) return;
   result.converged = false;
-  result.message = fmt::format(
-      "the sum of squares would fall by {:.3g} more; the model may have no result beyond (a body without a "
-      "physical inertia, a loop that does not close)",
-      promised_fall(end, free));
+  const std::string reason =
+      refusal.empty() ? "a body without a physical inertia, a loop that does not close" : refusal;
+  result.message = fmt::format("the sum of squares would fall by {:.3g} more; the model may have no result beyond ({})",
+                               promised_fall(end, free), reason);
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ SearchEnd search_values(Method method, FitProblem& problem, Search& search, cons
                                        [](const Channel& channel) { return channel.has_sigma; });
     if (all_given || estimate_sigmas(problem, search.unscaled(at)) < kSameSigma) break;
   }
-  judge_end(search.problem(at, {}), at, result);
+  judge_end(search.problem(at, {}), at, search.refusal(), result);
   result.values = search.unscaled(at);
   return result;
 }

@@ -52,9 +52,13 @@ class Search {
     const std::string arguments = arguments_of(values, with_jacobian);
     if (const std::vector<double>* numbers = journal_.find(arguments)) {
       result = unpacked(*numbers, with_jacobian);
+      failure_.clear();
       return true;
     }
-    if (!compute(values, with_jacobian, result)) return false;
+    if (!compute(values, with_jacobian, result)) {
+      if (!failure_.empty()) refusal_ = failure_;
+      return false;
+    }
     journal_.add(arguments, packed(result));
     return true;
   }
@@ -78,7 +82,8 @@ class Search {
     return task;
   }
 
-  const std::string& failure() const { return failure_; }
+  const std::string& failure() const { return failure_; }  ///< of the last evaluation
+  const std::string& refusal() const { return refusal_; }  ///< of the last values without a result
 
  private:
   static std::array<double, 6> factor_at(const FreeInertia& inertia, const Eigen::VectorXd& scaled) {
@@ -143,7 +148,7 @@ class Search {
   FitProblem& problem_;
   Loss loss_;
   EvaluationJournal& journal_;
-  std::string failure_;
+  std::string failure_, refusal_;
 };
 
 /// The end of a search.

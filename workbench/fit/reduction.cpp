@@ -76,6 +76,7 @@ Reduced reduced(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobia
 
 double promised_fall(const Reduced& at, const std::vector<int>& free) {
   constexpr double kResolved = 1e-7;  // of the largest singular value, as errors of differences
+  constexpr double kLongest = 0.1;    // of the scale of an unknown: beyond, a linear approximation promises nothing
   if (free.empty()) return 0;
   const Eigen::MatrixXd columns = at.jacobian(Eigen::all, free);
   const SingularVectors vectors = right_singular_vectors(columns);
@@ -83,8 +84,9 @@ double promised_fall(const Reduced& at, const std::vector<int>& free) {
   double fall = 0;
   for (Eigen::Index k = 0; k < vectors.values.size(); ++k) {
     if (!(vectors.values[k] > kResolved * vectors.values[0])) break;
-    const double along = vectors.vectors.col(k).dot(gradient) / vectors.values[k];
-    fall += along * along;
+    const double slope = std::abs(vectors.vectors.col(k).dot(gradient));
+    const double step = std::min(kLongest, slope / (vectors.values[k] * vectors.values[k]));
+    fall += step * (2 * slope - step * vectors.values[k] * vectors.values[k]);
   }
   return fall;
 }

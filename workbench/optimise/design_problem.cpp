@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "compiler/program/in_threads.hpp"
 #include "workbench/search/differences.hpp"
@@ -34,37 +35,74 @@ void run_works(const DesignProblem& problem, const std::vector<double>& values, 
   in_threads(works.size(), run, static_cast<std::size_t>(problem.jobs));
 }
 
-/// Evaluations beside the design for sources without exact derivatives.
-std::vector<SourceWork> works_beside(const DesignProblem& problem, const std::vector<double>& values) {
-  std::vector<SourceWork> works;
+/// Adds the part of an evaluation to derivatives by differences.
+void add_work(const DesignProblem& problem, const SourceWork& work, std::vector<Response>& responses) {
+  const MeasureSource& source = problem.measures.sources[work.source];
+  for (std::size_t k = 0; k < source.measures.size(); ++k) {
+    Response& response = responses[source.measures[k]];
+    if (response.derivatives.empty())
+      response.derivatives.assign(problem.variables.size(), std::vector<double>(response.values.size(), 0.0));
+    const std::vector<double>& beside = work.found.responses[k].values;
+    for (std::size_t p = 0; p < beside.size(); ++p) response.derivatives[work.variable][p] += work.weight * beside[p];
+  }
+}
+
+/// The derivative of a source by a variable.
+struct SourceSlope {
+  std::size_t source = 0, variable = 0;
+  std::vector<DifferenceFormula> formulas = {};
+  std::vector<SourceWork> works = {};  ///< of the formula that is tried
+};
+
+/// Derivatives of sources that have none of their own.
+std::vector<SourceSlope> slopes_at(const DesignProblem& problem, const std::vector<double>& values) {
+  std::vector<SourceSlope> slopes;
   for (std::size_t s = 0; s < problem.measures.sources.size(); ++s) {
     if (problem.measures.sources[s].has_derivatives()) continue;
-    for (std::size_t v = 0; v < problem.variables.size(); ++v) {
-      const DifferenceFormula formula = difference_formula(problem.variables[v], values[v]);
-      for (const auto& [steps, weight] : formula.terms)
-        works.push_back({s, v, steps * formula.step, weight / formula.step});
-    }
+    for (std::size_t v = 0; v < problem.variables.size(); ++v)
+      slopes.push_back({s, v, difference_formulas(problem.variables[v], values[v])});
   }
-  return works;
+  return slopes;
+}
+
+/// Evaluates sources beside the design, each derivative by the first of its formulas that has a result. Result: the
+/// reason why one has none.
+std::string run_beside(const DesignProblem& problem, const std::vector<double>& values,
+                       std::vector<SourceSlope>& slopes) {
+  const auto evaluate_slopes = [&](const std::vector<std::size_t>& places, std::size_t attempt) {
+    std::vector<SourceWork> works;
+    for (const std::size_t place : places) {
+      const SourceSlope& slope = slopes[place];
+      const DifferenceFormula& formula = slope.formulas[attempt];
+      for (const auto& [steps, weight] : formula.terms)
+        works.push_back({slope.source, slope.variable, steps * formula.step, weight / formula.step});
+    }
+    run_works(problem, values, false, works);
+    auto work = works.begin();
+    for (const std::size_t place : places) {
+      const auto size = static_cast<std::ptrdiff_t>(slopes[place].formulas[attempt].terms.size());
+      slopes[place].works.assign(std::move_iterator(work), std::move_iterator(work + size));
+      work += size;
+    }
+  };
+  const auto failure_at = [&](std::size_t place) -> std::string {
+    for (const SourceWork& work : slopes[place].works)
+      if (!work.found.failure.empty())
+        return fmt::format("{}: {} beside: {}", problem.measures.sources[work.source].name,
+                           problem.variables[work.variable].name, work.found.failure);
+    return "";
+  };
+  return evaluate_by_formulas(slopes.size(), evaluate_slopes, failure_at,
+                              [&](std::size_t place) { return slopes[place].formulas.size(); });
 }
 
 /// Adds derivatives by differences to the responses. Result: the reason why there are none.
 std::string add_differences(const DesignProblem& problem, const std::vector<double>& values,
                             std::vector<Response>& responses) {
-  std::vector<SourceWork> works = works_beside(problem, values);
-  run_works(problem, values, false, works);
-  for (const SourceWork& work : works) {
-    const MeasureSource& source = problem.measures.sources[work.source];
-    if (!work.found.failure.empty())
-      return fmt::format("{}: {} beside: {}", source.name, problem.variables[work.variable].name, work.found.failure);
-    for (std::size_t k = 0; k < source.measures.size(); ++k) {
-      Response& response = responses[source.measures[k]];
-      if (response.derivatives.empty())
-        response.derivatives.assign(problem.variables.size(), std::vector<double>(response.values.size(), 0.0));
-      const std::vector<double>& beside = work.found.responses[k].values;
-      for (std::size_t p = 0; p < beside.size(); ++p) response.derivatives[work.variable][p] += work.weight * beside[p];
-    }
-  }
+  std::vector<SourceSlope> slopes = slopes_at(problem, values);
+  if (std::string failure = run_beside(problem, values, slopes); !failure.empty()) return failure;
+  for (const SourceSlope& slope : slopes)
+    for (const SourceWork& work : slope.works) add_work(problem, work, responses);
   return "";
 }
 
