@@ -65,6 +65,10 @@ TEST_F(CommandLine, LinearizeGivesFrequencyResponses) {
   EXPECT_EQ(mbgen("linearize oscillator.json --bode forse:height").err,
             "--bode: oscillator has no input \"forse\"\n  hint: did you mean \"force\"?\n");
   EXPECT_EQ(mbgen("linearize oscillator.json --bode force").err, "--bode: \"force\" is no INPUT:OUTPUT\n");
+  EXPECT_EQ(mbgen("linearize oscillator.json -o a.csv --bode force:height --bode-out ./a.csv").err,
+            "./a.csv: --out and --bode-out must be two files\n");
+  EXPECT_EQ(mbgen("linearize oscillator.json --bode force:height --bode-out b.csv --bode-out b.csv").err,
+            "b.csv: --bode-out and --bode-out must be two files\n");
   EXPECT_EQ(mbgen("linearize oscillator.json --bode force:height --bode-out bode.png").err,
             "--bode-out: \"bode.png\" is no .csv and no .svg file\n");
 }

@@ -87,6 +87,7 @@ TEST_F(RefusedData, OptionsHaveTheirMessages) {
       {"--match x --free mass --set mass=3", "--set mass: --free finds the value of \"mass\"\n"},
       {"--match x --free mass --loss huber", "--loss: must be squares, huber:LIMIT or cauchy:LIMIT, found \"huber\"\n"},
       {"--match x --free mass --nuisance x:drift", "--nuisance x: \"drift\" is not among gain, bias, delay\n"},
+      {"--match x --free mass --nuisance x", "--nuisance x: name the faults that are found, x:gain:bias:delay\n"},
       {"--match x --free mass --free-start z.slid=0:1",
        "--free-start: the model has no coordinate \"z.slid\"; write z.NAME or zd.NAME\n"
        "  hint: did you mean \"z.slide\"?\n"},
@@ -96,6 +97,9 @@ TEST_F(RefusedData, OptionsHaveTheirMessages) {
       {"--free mass --target mode:2:frequency=1:1 --match x",
        "fit: no result at the start values: --target: mode:2:frequency: the model has 1 oscillations\n"},
       {"--match x --free mass -o run.csv", "run.csv: cannot write: it is read by this command\n"},
+      {"--match x --free mass -o f.json --report ./f.json", "./f.json: --out and --report must be two files\n"},
+      {"--match x --free mass -o f.json --report f.json.journal",
+       "f.json.journal: --report and the journal beside --out must be two files\n"},
   };
   for (const auto& [options, message] : cases) {
     const Outcome run = mbgen(words + options);

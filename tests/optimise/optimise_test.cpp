@@ -296,7 +296,7 @@ TEST_F(Optimise, MistakesHaveTheirMessages) {
        "--trade-off: is of two goals, found 3: write the others as --constraint\n"},
       {"--goal min:start:near --constraint '0.9<=start:sum<=0.8'",
        "--constraint: start:sum>=0.9 and start:sum<=0.8 leave no value\n"},
-      {"--goal min:start:near -o n.json --report ./n.json", "n.json: --out and --report must be two files\n"},
+      {"--goal min:start:near -o n.json --report ./n.json", "./n.json: --out and --report must be two files\n"},
       {"--goal min:start:near --method mma --constraint start:far==1", "--method mma: takes no equalities"},
       {"--goal min:start:near --free pp", "--free: the model has no parameter \"pp\"\n"},
       {"--goal min:start:near -o forms.json", "forms.json: cannot write: it is read by this command\n"},

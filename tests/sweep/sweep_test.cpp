@@ -119,6 +119,17 @@ TEST_F(Sweep, SaysWhatIsWrong) {
       {"--vary force=1 --input force=2 --metric 'final(x)'", "--input force: --vary gives \"force\" its values\n"},
       {"--vary mass=1 --metric 'at(2, x)'", "--metric: at(2, ...) is not in the motion, which lasts 1 s\n"},
       {"--vary mass=1 --metric 'final(x)' --jobs -1", "--jobs: must be from 1 to 1024, found -1\n"},
+      {"--vary mass=1 --metric 'mass=final(x)'",
+       "--metric: the table has another column \"mass\", which is varied\n"
+       "  hint: give the metric another name, NAME=EXPRESSION\n"},
+      {"--vary mass=1 --metric 'status=final(x)'",
+       "--metric: the table has another column \"status\"\n"
+       "  hint: give the metric another name, NAME=EXPRESSION\n"},
+      {"--vary mass=1 --metric 'final(x)' --slurm ./sweep.csv", "./sweep.csv: --out and --slurm must be two files\n"},
+      {"--vary mass=1 --metric 'final(x)' --slurm sweep.csv.journal",
+       "sweep.csv.journal: the journal beside --out and --slurm must be two files\n"},
+      {"--vary mass=1,2 --metric 'final(x)' --keep . --slurm case_2.csv",
+       "case_2.csv: --slurm and a motion of --keep must be two files\n"},
       {"--vary mass=1 --metric 'final(x)' --part 3/2", "--part: must be K/N with K from 1 to N, found 3/2\n"},
   };
   for (const BadWords& bad : kBad) {

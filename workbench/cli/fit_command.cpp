@@ -36,6 +36,8 @@ int run_fit(FitOptions options) {
     read.insert(read.end(), files->begin(), files->end());
   if (!options.out.empty()) require_other_file(options.out, read);
   if (!options.page.empty()) require_other_file(options.page, read);
+  require_written_apart(
+      {{"--out", options.out}, {"--report", options.page}, {"the journal beside --out", journal_of_fit(options.out)}});
   if (!options.out.empty()) {
     std::vector<std::string> names;
     for (const std::vector<std::string>* texts : {&options.fit.free, &options.fit.model.set})

@@ -226,7 +226,15 @@ void write_responses(const LinearizeOptions& options, const Model& model, const 
   }
 }
 
+void require_files_apart(const LinearizeOptions& options) {
+  std::vector<WrittenFile> files{{"--out", options.file}, {"--report", options.page}};
+  for (const std::string& file : options.bode.files) files.push_back({"--bode-out", file});
+  for (const std::string& file : options.trim.files) files.push_back({"--handling-out", file});
+  require_written_apart(files);
+}
+
 void require_compatible(const LinearizeOptions& options) {
+  require_files_apart(options);
   if (!options.page.empty()) require_report_page("--report");
   if (!options.bode.files.empty() && options.bode.pairs.empty())
     throw UserError("--bode-out: nothing to write\n  hint: --bode INPUT:OUTPUT names a response\n");

@@ -35,9 +35,9 @@ void check_files(const OptimiseOptions& options) {
   read.insert(read.end(), search.manoeuvres.begin(), search.manoeuvres.end());
   if (!options.out.empty()) require_other_file(options.out, read);
   if (!options.page.empty()) require_other_file(options.page, read);
-  const auto place = [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal(); };
-  if (!options.out.empty() && !options.page.empty() && place(options.out) == place(options.page))
-    throw UserError(fmt::format("{}: --out and --report must be two files\n", options.out));
+  require_written_apart({{"--out", options.out},
+                         {"--report", options.page},
+                         {"the journal beside --out", options.out.empty() ? "" : options.out + ".journal"}});
   if (options.out.empty() || !search.trade_off.empty()) return;
   std::vector<std::string> names;
   for (const std::vector<std::string>* texts : {&search.free, &search.model.set})

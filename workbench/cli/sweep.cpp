@@ -116,6 +116,17 @@ void finish(const SweepOptions& options, const Study& study, const CaseResults& 
   print(options.json ? results_json(study, results, options.file) : results_text(study, results, options.file));
 }
 
+/// Fails: UserError where the table, its journal, the script or a motion of --keep are one file.
+void require_study_apart(const SweepOptions& options, const Study& study) {
+  std::vector<WrittenFile> files{{"--out", options.file},
+                                 {"the journal beside --out", journal_path(options.file, {}).string()},
+                                 {"--slurm", options.slurm}};
+  require_written_apart(files);
+  for (const WrittenFile& file : files)
+    if (is_kept_motion(study, file.path))
+      throw UserError(fmt::format("{}: {} and a motion of --keep must be two files\n", file.path, file.option));
+}
+
 /// The place of this process among those of the study.
 struct Crew {
   std::optional<SweepPart> rank;
@@ -143,6 +154,7 @@ int run(const SweepOptions& options) {
   check(options);
   const Study study = read_study(options.study);
   require_other_file(options.file, files_read(options, study));
+  require_study_apart(options, study);
   if (!options.slurm.empty()) return write_slurm_script(options, study);
   const std::string words = description(study);
   const Crew crew = crew_of(options);

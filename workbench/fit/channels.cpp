@@ -116,6 +116,8 @@ void add_nuisances(const std::vector<std::string>& texts, std::vector<Channel>& 
     const auto is_of = [&](const std::string& name) { return text.starts_with(name + ":"); };
     const auto found = std::find_if(names.begin(), names.end(), is_of);
     const bool is_all = is_of("*");
+    if (text == "*" || std::ranges::find(names, text) != names.end())
+      throw UserError(fmt::format("--nuisance {0}: name the faults that are found, {0}:gain:bias:delay\n", text));
     if (found == names.end() && !is_all)
       throw UserError(fmt::format("--nuisance: {} must be OUTPUT:gain:bias:delay with an output of --match\n{}",
                                   in_quotes(text), nearest_hint(text.substr(0, text.find(':')), names)));

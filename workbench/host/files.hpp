@@ -18,6 +18,15 @@ std::string read_text(const std::filesystem::path& path, std::size_t most = read
 /// this; a long command calls it before its work. Empty names among `inputs` are ignored.
 void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs);
 
+/// One file that a command writes, and the option, or the words, that name it.
+struct WrittenFile {
+  std::string option, path;
+};
+
+/// Fails: UserError if two of the files that a command writes are one: the last would replace the others. Empty paths
+/// and devices are ignored.
+void require_written_apart(const std::vector<WrittenFile>& files);
+
 /// Whether a name is standard output: "-". A file of that name is "./-".
 bool is_standard_output(const std::filesystem::path& path);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@
 #include "workbench/host/assignments.hpp"
 #include "workbench/host/files.hpp"
 #include "workbench/manoeuvre/manoeuvre_run.hpp"
+#include "workbench/motion/motion_table.hpp"
 #include "workbench/sweep/metric_derivatives.hpp"
 
 namespace mbgen {
@@ -143,6 +145,23 @@ InputsOverTime inputs_of(const Study& study, const Model& model, const std::vect
   return mbgen::inputs_of(model, assignments, study.arguments.simulation);
 }
 
+namespace {
+
+/// Fails: UserError for a metric with the name of another column of the table.
+void require_own_columns(const Study& study) {
+  for (const Metric& metric : study.metrics.list) {
+    const auto is_its_name = [&](const SweepAxis& axis) { return axis.name == metric.name; };
+    const bool is_varied = std::ranges::any_of(study.grid.axes, is_its_name);
+    if (is_varied || metric.name == "case" || metric.name == "status")
+      throw UserError(
+          fmt::format("{}: the table has another column \"{}\"{}\n  hint: give the metric another name, "
+                      "NAME=EXPRESSION\n",
+                      study.arguments.metric_option, metric.name, is_varied ? ", which is varied" : ""));
+  }
+}
+
+}  // namespace
+
 Study read_study(const StudyArguments& arguments) {
   Study study;
   study.arguments = arguments;
@@ -161,10 +180,24 @@ Study read_study(const StudyArguments& arguments) {
   study.choice.integrator = study.model.solver.integrator =
       integrator_of(arguments.simulation.integrator, study.model.solver.integrator, study.choice.name);
   check_given_once(study);
+  require_own_columns(study);
   if (!study.manoeuvre.empty()) require_others_inputs(study);
   study.warnings = inputs_of(study, study.model, study.grid.values_of(0)).warnings;
   choose_tuning(study);
   return study;
+}
+
+bool is_kept_motion(const Study& study, const std::string& path) {
+  const auto place = [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal(); };
+  if (study.arguments.keep.empty()) return false;
+  const std::string name = std::filesystem::path(path).filename().string();
+  const std::size_t first = name.find_first_of("123456789");
+  long number = 0;
+  if (first == std::string::npos) return false;
+  std::from_chars(name.data() + first, name.data() + name.size(), number);
+  if (number < 1 || number > study.grid.size()) return false;
+  const std::string kept = kept_file(study, number - 1);
+  return place(path) == place(kept) || place(path) == place(run_file(kept));
 }
 
 std::string kept_file(const Study& study, long index) {

@@ -71,6 +71,9 @@ using CaseResults = std::map<long, CaseResult>;
 /// must be constant, and no engine was named, the generic engine is used. Fails: UserError.
 Study read_study(const StudyArguments& arguments);
 
+/// Whether a path is a motion of --keep, or of the description beside it.
+bool is_kept_motion(const Study& study, const std::string& path);
+
 /// File of the motion of a case in the directory of kept ones: "case_007.csv", as many digits as the last case has.
 std::string kept_file(const Study& study, long index);
 
