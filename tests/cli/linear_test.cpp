@@ -69,6 +69,8 @@ TEST_F(CommandLine, LinearizeGivesFrequencyResponses) {
             "./a.csv: --out and --bode-out must be two files\n");
   EXPECT_EQ(mbgen("linearize oscillator.json --bode force:height --bode-out b.csv --bode-out b.csv").err,
             "b.csv: --bode-out and --bode-out must be two files\n");
+  EXPECT_EQ(mbgen("linearize oscillator.json --bode force:height --bode force:height").err,
+            "--bode: \"force:height\" stands twice\n");
   EXPECT_EQ(mbgen("linearize oscillator.json --bode force:height --bode-out bode.png").err,
             "--bode-out: \"bode.png\" is no .csv and no .svg file\n");
 }
@@ -94,6 +96,8 @@ TEST_F(CommandLine, LinearizeTakesAStateOfAFile) {
   const Outcome beyond = mbgen("linearize oscillator.json --states states.json --index 3");
   EXPECT_EQ(beyond.exit_code, 1);
   EXPECT_EQ(beyond.err, "--index: states.json has states 1 to 2, found 3\n");
+  write("empty.json", R"({"states": []})");
+  EXPECT_EQ(mbgen("linearize oscillator.json --states empty.json").err, "empty.json: /states: has no states\n");
 }
 
 TEST_F(CommandLine, InputsStandBeforeTheModelToo) {

@@ -99,6 +99,8 @@ TEST_F(CommandLine, JointOrderIsAnyPermutation) {
 TEST_F(CommandLine, BadStatesAreNamed) {
   write("four_bar.json", kFourBar);
   const std::vector<std::pair<std::string, std::string>> cases = {
+      {R"({"states": [{"z": [0, 0, 0]}, {"z": [0, 0, 0], "zd": [0, 0, 0], "z": [1, 0, 0]}]})",
+       "/states/1/z: the key stands twice"},
       {R"({"states": [{"z": [0, 0]}]})", "/states/0/z: must have 3 numbers, found 2"},
       {R"({"states": [{"zd": [0, 0, 0]}]})", "/states/0: \"z\" is missing"},
       {R"({"states": [{"z": [0, "a", 0]}]})", "/states/0/z/1: must be a number, found string"},

@@ -66,6 +66,10 @@ FrequencyResponses frequency_responses(const BodeArguments& arguments, const Mod
     const std::size_t colon = pair.find(':');
     if (colon == std::string::npos) throw UserError(fmt::format("--bode: \"{}\" is no INPUT:OUTPUT\n", pair));
     FrequencyResponse response{pair.substr(0, colon), pair.substr(colon + 1), "", {}};
+    const auto is_it = [&](const FrequencyResponse& one) {
+      return one.input == response.input && one.output == response.output;
+    };
+    if (std::ranges::any_of(result.all, is_it)) throw UserError(fmt::format("--bode: \"{}\" stands twice\n", pair));
     const int input = index_of(model.inputs, response.input, "input", model);
     const int output = index_of(model.outputs, response.output, "output", model);
     response.unit = unit_over(model.outputs[static_cast<std::size_t>(output)].unit,

@@ -31,6 +31,7 @@ GenericState state_of_file(const Compilation& compilation, const StateArguments&
                            std::vector<double>& inputs) {
   const StatesFile file = read_states(arguments.states, compilation, inputs);
   const int count = static_cast<int>(file.states.size());
+  if (count == 0) throw UserError(fmt::format("{}: /states: has no states\n", arguments.states));
   if (arguments.index < 1 || arguments.index > count) {
     throw UserError(
         fmt::format("--index: {} has states 1 to {}, found {}\n", arguments.states, count, arguments.index));

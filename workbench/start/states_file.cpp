@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "compiler/text/user_error.hpp"
 #include "workbench/describe/names.hpp"
@@ -27,9 +29,48 @@ struct Entry {
   throw UserError(fmt::format("{}: {}\n", path, message));
 }
 
+/// Watches the objects and arrays that are open while a text is parsed. Fails: UserError for a key that stands twice in
+/// an object, of which a parser would keep one.
+class KeysOnce {
+ public:
+  explicit KeysOnce(std::string path) : path_(std::move(path)) {}
+
+  bool operator()(int, UnorderedJson::parse_event_t event, const UnorderedJson& parsed) {
+    using Event = UnorderedJson::parse_event_t;
+    if (event == Event::object_end || event == Event::array_end) {
+      open_.pop_back();
+    } else if (event == Event::key) {
+      open_.back().place = parsed.get<std::string>();
+      if (!open_.back().keys.insert(open_.back().place).second) fail(path_, pointer() + ": the key stands twice");
+    } else {
+      if (!open_.empty() && open_.back().is_array) open_.back().place = std::to_string(open_.back().items++);
+      if (event != Event::value) open_.push_back({event == Event::array_start, 0, "", {}});
+    }
+    return true;
+  }
+
+ private:
+  struct Open {
+    bool is_array = false;
+    std::size_t items = 0;
+    std::string place;  ///< of the member that is read: its key, or its number
+    std::set<std::string> keys;
+  };
+
+  std::string pointer() const {
+    std::string text;
+    for (const Open& one : open_) text += "/" + one.place;
+    return text;
+  }
+
+  std::string path_;
+  std::vector<Open> open_ = {};
+};
+
 UnorderedJson parse(const std::string& text, const std::string& path) {
   try {
-    return UnorderedJson::parse(text, nullptr, true, true);
+    KeysOnce watch(path);
+    return UnorderedJson::parse(text, std::ref(watch), true, true);
   } catch (const UnorderedJson::exception& error) {
     const std::string message = error.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
     const std::size_t bracket = message.find("] ");
