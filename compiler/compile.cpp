@@ -172,9 +172,9 @@ Model without_defaults(Model model) {
 
 std::vector<EmittedFile> emit_for_loading(const Compilation& c, const LoadedForm& form) {
   const Model model = without_defaults(c.model);
-  std::vector<EmittedFile> files =
-      emit(c.emitted, model, c.topology, c.analysis,
-           {.lanes = form.lanes, .spelling = c.spelling, .sources_alone = true, .regular_only = form.regular_only});
+  EmitOptions options{.lanes = form.lanes, .spelling = c.spelling, .sources_alone = true};
+  if (form.regular_only) options.regular_only_from = kLeftOutValues;
+  std::vector<EmittedFile> files = emit(c.emitted, model, c.topology, c.analysis, options);
   files.push_back(form.clocked ? emit_clocked_driver(c.emitted, model, c.topology, c.analysis, form.lanes)
                                : emit_driver(model, form.lanes, has_inverse_dynamics(model, c.topology, c.analysis)));
   return files;

@@ -94,7 +94,7 @@ std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions&
 struct LoadedForm {
   bool clocked = false;  ///< the driver times the nine steps
   int lanes = 0;
-  bool regular_only = false;  ///< see EmitOptions
+  bool regular_only = false;  ///< of regular positions alone, where kLeftOutValues are left out
 };
 
 /// The sources of a solver that mbgen loads, with its driver last. mbgen gives parameters, inputs and states itself:

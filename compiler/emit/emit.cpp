@@ -77,9 +77,7 @@ void add_samples(const EmitContext& context, std::vector<EmittedFile>& files) {
 
 std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& model, const Topology& topology,
                               const Analysis& analysis, const EmitOptions& options) {
-  EmitOptions chosen = options;
-  chosen.regular_only = options.regular_only && programs.programs.accelerations_chosen.nodes.size() >= kLeftOutValues;
-  const EmitContext context(programs, model, topology, analysis, chosen);
+  const EmitContext context(programs, model, topology, analysis, options);
   const std::string& name = context.names.solver;
   const std::vector<ShapedProgram> solver = shaped_programs(context);
   std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)}, solver_file(context, solver, false)};

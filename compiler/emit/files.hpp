@@ -62,7 +62,9 @@ struct EmitOptions {
   bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them
   Spelling spelling = Spelling::fast;        ///< of the programs; for reading: each is one function
   bool sources_alone = false;  ///< leave out what tells or builds the sources: cost sheet, CMakeLists.txt, manifest
-  bool regular_only = false;   ///< leave out what serves other positions, if that is much; see mbgen/solver/regular.hpp
+  /// Values of the program for other partitions and charts from which a solver is one of regular positions alone, see
+  /// mbgen/solver/regular.hpp; none: always whole.
+  std::optional<std::size_t> regular_only_from = {};
 };
 
 }  // namespace mbgen
