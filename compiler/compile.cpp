@@ -170,12 +170,13 @@ Model without_defaults(Model model) {
 
 }  // namespace
 
-std::vector<EmittedFile> emit_for_loading(const Compilation& c, bool clocked, int lanes) {
+std::vector<EmittedFile> emit_for_loading(const Compilation& c, const LoadedForm& form) {
   const Model model = without_defaults(c.model);
-  std::vector<EmittedFile> files =
-      emit(c.emitted, model, c.topology, c.analysis, {.lanes = lanes, .spelling = c.spelling});
-  files.push_back(clocked ? emit_clocked_driver(c.emitted, model, c.topology, c.analysis, lanes)
-                          : emit_driver(model, lanes, has_inverse_dynamics(model, c.topology, c.analysis)));
+  EmitOptions options{.lanes = form.lanes, .spelling = c.spelling, .sources_alone = true};
+  if (form.regular_only) options.regular_only_from = kLeftOutValues;
+  std::vector<EmittedFile> files = emit(c.emitted, model, c.topology, c.analysis, options);
+  files.push_back(form.clocked ? emit_clocked_driver(c.emitted, model, c.topology, c.analysis, form.lanes)
+                               : emit_driver(model, form.lanes, has_inverse_dynamics(model, c.topology, c.analysis)));
   return files;
 }
 

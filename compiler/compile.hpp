@@ -90,9 +90,16 @@ Result<Compilation> compile(const std::string& path, const CompileOptions& optio
 /// The files of the specialised solver, see emit.
 std::vector<EmittedFile> emit(const Compilation& compilation, const EmitOptions& options = {});
 
-/// The files of a solver that mbgen loads, with its driver. mbgen gives parameters, inputs and states itself: files of
-/// models with equal equations differ in comments at most. clocked: the driver times the nine steps.
-std::vector<EmittedFile> emit_for_loading(const Compilation& compilation, bool clocked, int lanes = 0);
+/// A solver that mbgen loads.
+struct LoadedForm {
+  bool clocked = false;  ///< the driver times the nine steps
+  int lanes = 0;
+  bool regular_only = false;  ///< of regular positions alone, where kLeftOutValues are left out
+};
+
+/// The sources of a solver that mbgen loads, with its driver last. mbgen gives parameters, inputs and states itself:
+/// files of models with equal equations differ in comments at most.
+std::vector<EmittedFile> emit_for_loading(const Compilation& compilation, const LoadedForm& form = {});
 
 /// The same of the solver with derivatives, see emit_tangents.
 std::vector<EmittedFile> emit_tangents_for_loading(const Compilation& compilation);

@@ -28,7 +28,9 @@ struct EmitContext {
         names(solver_names(model, topology)),
         layout(solver_layout(model, topology, analysis)),
         titles(titles_of(programs.form, model, topology)),
-        in_pairs(takes_pairs(*this)) {}
+        in_pairs(takes_pairs(*this)),
+        regular_only(options.regular_only_from &&
+                     programs.accelerations_chosen.nodes.size() >= *options.regular_only_from) {}
 
   const WrittenPrograms& written;
   const Programs& programs;  ///< one a role, of `written`
@@ -39,7 +41,8 @@ struct EmitContext {
   SolverNames names;
   SolverLayout layout;
   Titles titles;
-  bool in_pairs;  ///< see takes_pairs
+  bool in_pairs;      ///< see takes_pairs
+  bool regular_only;  ///< see EmitOptions::regular_only_from
 };
 
 }  // namespace mbgen

@@ -80,11 +80,13 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
   const EmitContext context(programs, model, topology, analysis, options);
   const std::string& name = context.names.solver;
   const std::vector<ShapedProgram> solver = shaped_programs(context);
-  const nlohmann::ordered_json manifest = manifest_json(context, solver);
-  std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)},
-                                    solver_file(context, solver, false),
-                                    {name + "_cost.txt", cost_text(manifest, banner_text(model, "#"))}};
-  files.push_back({"CMakeLists.txt", build_text(context, files[1].rare_parts)});
+  std::vector<EmittedFile> files = {{name + ".hpp", interface_text(context)}, solver_file(context, solver, false)};
+  std::optional<nlohmann::ordered_json> manifest;
+  if (!options.sources_alone) {
+    manifest = manifest_json(context, solver);
+    files.push_back({name + "_cost.txt", cost_text(*manifest, banner_text(model, "#"))});
+    files.push_back({"CMakeLists.txt", build_text(context, files[1].rare_parts)});
+  }
   add_samples(context, files);
   add_quantities(context, files);
   if (options.lanes > 0) {
@@ -107,7 +109,7 @@ std::vector<EmittedFile> emit(const WrittenPrograms& programs, const Model& mode
     if (options.scalar == Scalar::doubles)
       add_included_headers(emit_driver(model, options.lanes, context.layout.actuators > 0).text, files);
   }
-  files.push_back({name + ".json", manifest_text(manifest)});
+  if (manifest) files.push_back({name + ".json", manifest_text(*manifest)});
   return files;
 }
 

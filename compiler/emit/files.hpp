@@ -17,6 +17,9 @@ constexpr const char* kMbgenVersion = "0.1.0";
 /// takes as long as some thousand values.
 constexpr std::size_t kFilePartValues = 4000;
 
+/// Values of the program for other partitions and charts from which a solver for regular positions alone is worth it.
+constexpr std::size_t kLeftOutValues = 1000;
+
 /// Derivatives that a number with tangents has: a vector of the widest processors.
 constexpr int kDirections = 8;
 
@@ -58,6 +61,10 @@ struct EmitOptions {
   bool casadi = false;                       ///< CMakeLists.txt includes <model>_casadi.cmake
   bool calibration = false;                  ///< and <model>.a2l with <model>_a2l.h, which stand on them
   Spelling spelling = Spelling::fast;        ///< of the programs; for reading: each is one function
+  bool sources_alone = false;  ///< leave out what tells or builds the sources: cost sheet, CMakeLists.txt, manifest
+  /// Values of the program for other partitions and charts from which a solver is one of regular positions alone, see
+  /// mbgen/solver/regular.hpp; none: always whole.
+  std::optional<std::size_t> regular_only_from = {};
 };
 
 }  // namespace mbgen

@@ -137,7 +137,8 @@ bool is_written(Role role, const EmitContext& context) {
   if (role == Role::sampled) return layout.sampled > 0;
   if (role == Role::ground_places) return layout.grounds > 0;
   if (role == Role::closure_terms) return !layout.blocks.empty();
-  return role != Role::accelerations_chosen || ((!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again);
+  if (role != Role::accelerations_chosen) return true;
+  return (!layout.blocks.empty() || layout.balls > 0) && layout.chooses_again && !context.regular_only;
 }
 
 /// Adds the names of the shared laws to the shape of the program around them.

@@ -131,7 +131,7 @@ EmittedFile solver_file(const EmitContext& context, std::vector<ShapedProgram> p
     if (shaped.role != Role::sampled && shaped.role != Role::ground_places)
       members.push_back(system_member(shaped, solver + "::" + shaped.shape.result, ""));
   }
-  const bool has_projection = !context.layout.blocks.empty() && context.layout.chooses_again;
+  const bool has_projection = !context.layout.blocks.empty() && context.layout.chooses_again && !context.regular_only;
   const bool advances = inputs_have_derivatives(context.model.inputs);
   FrameValues values = {
       {"banner", banner_text(context.model, "//", is_for_reading ? " --reading" : "") + legend_text(context)},

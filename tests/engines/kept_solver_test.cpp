@@ -121,6 +121,30 @@ TEST_F(KeptSolver, IsTakenByAutoWithOneQuestionToTheCompiler) {
   EXPECT_EQ(read("questions"), "--version\n");
 }
 
+TEST_F(KeptSolver, IsOneOfRegularPositionsUntilAMotionLeavesThem) {
+  const std::string robot = "simulate '" + kSource + "/models/delta.json' --step 2e-3 --out ";
+  const std::string chosen = "coordinates chosen again";
+  Outcome run = mbgen(robot + "short.csv --duration 0.2");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out.find(chosen), std::string::npos) << run.out;
+  EXPECT_EQ(kept(), 1u);
+  for (const char* integrator : {"rk4", "abm4"}) {
+    SCOPED_TRACE(integrator);
+    const std::string options = fmt::format(" --duration 0.44 --integrator {}", integrator);
+    fs::remove_all(path("cache"));
+    run = mbgen(robot + "long.csv" + options);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.out.find(chosen), std::string::npos) << run.out;
+    EXPECT_EQ(kept(), 2u);
+    // From now on the whole solver serves from the start.
+    EXPECT_EQ(mbgen(robot + "whole.csv" + options).exit_code, 0);
+    EXPECT_EQ(kept(), 2u);
+    EXPECT_EQ(read("long.csv"), read("whole.csv"));
+  }
+  EXPECT_EQ(mbgen(robot + "whole.csv --duration 0.2").exit_code, 0);
+  EXPECT_EQ(read("whole.csv"), read("short.csv"));
+}
+
 TEST_F(KeptSolver, IsListedRemovedAndLimited) {
   write("plain.json", pendulum("", "3", "0.5", "0", ""));
   expect_own_motion("plain.json");

@@ -113,10 +113,15 @@ std::shared_ptr<const Table> open_kept(const fs::path& object, const std::string
   return solver;
 }
 
+/// Whether a solver is compiled fast.
+bool runs_briefly(const EngineChoice& choice) {
+  return (choice.use == SolverUse::running || choice.use == SolverUse::regular) && choice.lanes == 0;
+}
+
 HostCompiler compiler_for(const fs::path& scratch, const EngineChoice& choice) {
   const int lanes = choice.use == SolverUse::derivatives ? kDirections : choice.lanes;
   HostCompiler compiler = find_compiler(scratch, "-march=native", lanes);
-  if (choice.use == SolverUse::running && choice.lanes == 0) {
+  if (runs_briefly(choice)) {
     compiler.hot_flags = quick_compile_flags(compiler.is_clang ? CompilerFamily::clang : CompilerFamily::gnu);
     // Functions of <cmath> like Bessel's, which no solver calls, are a third of the headers' time.
     compiler.flags.emplace_back("-D_GLIBCXX_BITS_SPECFUN_H");
@@ -128,13 +133,28 @@ std::vector<EmittedFile> files_of(const Compilation& decided, const EngineChoice
   const auto emitted = [&](const Compilation& compilation) {
     return choice.use == SolverUse::derivatives
                ? emit_tangents_for_loading(compilation)
-               : emit_for_loading(compilation, choice.use == SolverUse::timing_steps, choice.lanes);
+               : emit_for_loading(compilation, {.clocked = choice.use == SolverUse::timing_steps,
+                                                .lanes = choice.lanes,
+                                                .regular_only = choice.use == SolverUse::regular});
   };
   if (decided.has_programs()) return emitted(decided);
   take_large_pages(decided.model.bodies.size());
   Compilation compilation = decided;
   add_programs(compilation, {.form = choice.form, .for_text_alone = true});
   return emitted(compilation);
+}
+
+/// The solver of a request that the cache holds, in place of one of regular positions alone the whole one; or null.
+template <class Table>
+std::shared_ptr<const Table> open_requested(const fs::path& cache, const std::string& request,
+                                            const std::string& model) {
+  const auto opened = [&](const std::string& one) -> std::shared_ptr<const Table> {
+    const auto kept = object_of_request(cache, one);
+    return kept ? open_kept<Table>(*kept, model) : nullptr;
+  };
+  const std::string whole = request_of_whole(request);
+  auto solver = opened(whole);
+  return solver || whole == request ? solver : opened(request);
 }
 
 /// See load_solver.
@@ -146,8 +166,8 @@ std::shared_ptr<const Table> load(const Compilation& decided, const EngineChoice
   const HostCompiler compiler = compiler_for(scratch.path(), choice);
   const std::string& model = decided.model.name;
   const std::string request = has_cache ? request_of(decided, choice, compiler) : "";
-  if (const auto kept = has_cache ? object_of_request(cache, request) : std::nullopt) {
-    if (auto solver = open_kept<Table>(*kept, model)) return solver;
+  if (has_cache) {
+    if (auto solver = open_requested<Table>(cache, request, model)) return solver;
   }
   const std::vector<EmittedFile> files = files_of(decided, choice);
   const std::string name = solver_name(decided.model);
@@ -174,15 +194,21 @@ std::shared_ptr<const Table> load(const Compilation& decided, const EngineChoice
 
 }  // namespace
 
-std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, const EngineChoice& choice) {
+std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, EngineChoice choice) {
   const fs::path cache = choice.use_cache ? own_cache() : fs::path();
   const TemporaryDirectory scratch(temporary_parent());
   const HostCompiler compiler = compiler_for(scratch.path(), choice);
-  const auto object = cache.empty() ? std::nullopt : object_of_request(cache, request_of(decided, choice, compiler));
-  return object ? open_kept<SolverTable>(*object, decided.model.name) : nullptr;
+  if (runs_briefly(choice)) choice.use = SolverUse::regular;
+  if (cache.empty()) return nullptr;
+  return open_requested<SolverTable>(cache, request_of(decided, choice, compiler), decided.model.name);
 }
 
 std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice) {
+  return load<SolverTable>(decided, choice);
+}
+
+std::shared_ptr<const SolverTable> load_regular_solver(const Compilation& decided, EngineChoice choice) {
+  if (runs_briefly(choice)) choice.use = SolverUse::regular;
   return load<SolverTable>(decided, choice);
 }
 

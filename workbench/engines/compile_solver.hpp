@@ -24,6 +24,11 @@ namespace mbgen {
 /// std::runtime_error with the end of the compiler's messages when it rejects the code.
 std::shared_ptr<const SolverTable> load_solver(const Compilation& decided, const EngineChoice& choice);
 
+/// The same solver, or, while the cache does not hold it, one of regular positions alone, which compiles in half the
+/// time: a call at another position fails with kNotRegular (mbgen/solver/regular.hpp) and leaves its results untouched.
+/// The same call by load_solver goes on from there.
+std::shared_ptr<const SolverTable> load_regular_solver(const Compilation& decided, EngineChoice choice);
+
 /// The table of a solver with derivatives.
 using TangentNumber = Tangents<kDirections>;
 using TangentTable = SolverTableOf<TangentNumber>;
@@ -31,9 +36,9 @@ using TangentTable = SolverTableOf<TangentNumber>;
 /// The solver with derivatives, compiled and kept as load_solver does it. Fails: as load_solver.
 std::shared_ptr<const TangentTable> load_tangents(const Compilation& decided, EngineChoice choice);
 
-/// The solver of this request as the cache holds it, null where that has none. Fails: UserError when there is no
-/// compiler.
-std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, const EngineChoice& choice);
+/// The solver of this request as the cache holds it, whole or of regular positions alone, null where that has none.
+/// Fails: UserError when there is no compiler.
+std::shared_ptr<const SolverTable> kept_solver(const Compilation& decided, EngineChoice choice);
 
 /// An engine of its own behind a solver that others may use at the same time. compilation: of the solver, or one
 /// whose model has other values of the tunable parameters; engines run at those.

@@ -80,6 +80,8 @@ struct Engine {
   /// Shares of the nine steps of the paper's tables in the time of one evaluation, over the same calls; empty function
   /// where the engine has no such steps.
   std::function<std::array<double, kSteps>(const std::vector<LoadedState>&, int repetitions)> step_shares;
+  /// Wall time, s, that calls have spent so far on compiling and loading a solver; empty where none does.
+  std::function<double()> loading_seconds;
 };
 
 /// Purpose of a compiled solver.
@@ -88,6 +90,7 @@ enum class SolverUse {
   timing,        ///< compiled as the emitted CMakeLists.txt compiles it
   timing_steps,  ///< likewise, and with Engine::step_shares
   derivatives,   ///< the solver with derivatives, for load_tangents; no Engine has it
+  regular,       ///< running, of regular positions alone, see load_regular_solver; of no choice of an Engine
 };
 
 /// Which engine, and how.

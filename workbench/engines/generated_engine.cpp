@@ -1,9 +1,11 @@
 // The specialised solver behind the table of mbgen/driver.hpp.
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <numeric>
 
+#include "mbgen/solver/regular.hpp"
 #include "workbench/engines/compile_solver.hpp"
 #include "workbench/engines/engine.hpp"
 
@@ -13,10 +15,24 @@ namespace {
 /// A loaded solver with its parameters and the memory that its calls work on.
 struct LoadedSolver {
   std::shared_ptr<const SolverTable> table;
+  std::function<std::shared_ptr<const SolverTable>()> whole;  ///< loads the one for all positions
+  double loading_seconds = 0;
   std::vector<double> parameters, inputs;
   std::vector<double> state, derivative;
   std::vector<double> history;  ///< of the multistep method, in doubles for their alignment
 };
+
+/// The status of a call of the table's functions. Where the solver is one of regular positions alone and fails for
+/// that, the whole one takes its place: sizes and memory are the same.
+template <class Call>
+Status called(LoadedSolver& solver, const Call& call) {
+  const Status status = call(*solver.table);
+  if (status.code != kNotRegular) return status;
+  const auto before = std::chrono::steady_clock::now();
+  solver.table = solver.whole();
+  solver.loading_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  return call(*solver.table);
+}
 
 void flatten(const GenericState& state, std::vector<double>& flat) {
   double* place = flat.data();
@@ -50,8 +66,10 @@ void unflatten(const LoadedSolver& solver, GenericDerivative& derivative) {
 
 Status accelerations(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative) {
   flatten(at.state, solver.state);
-  const Status status = solver.table->accelerations(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                                                    at.tau.data(), solver.derivative.data());
+  const Status status = called(solver, [&](const SolverTable& table) {
+    return table.accelerations(solver.parameters.data(), solver.inputs.data(), solver.state.data(), at.tau.data(),
+                               solver.derivative.data());
+  });
   if (status.ok()) unflatten(solver, derivative);
   return status;
 }
@@ -84,36 +102,42 @@ Status accelerations_in_lanes(LoadedSolver& solver, const LoadedState& at, Gener
 Status accelerations_in_motion(LoadedSolver& solver, const GenericState& state, double h,
                                GenericDerivative& derivative) {
   flatten(state, solver.state);
-  const Status status = solver.table->accelerations_in_motion(solver.parameters.data(), solver.inputs.data(),
-                                                              solver.state.data(), h, solver.derivative.data());
+  const Status status = called(solver, [&](const SolverTable& table) {
+    return table.accelerations_in_motion(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h,
+                                         solver.derivative.data());
+  });
   if (status.ok()) unflatten(solver, derivative);
   return status;
 }
 
 Status project(LoadedSolver& solver, GenericState& state) {
   flatten(state, solver.state);
-  const Status status = solver.table->project(solver.parameters.data(), solver.inputs.data(), solver.state.data());
+  const Status status = called(solver, [&](const SolverTable& table) {
+    return table.project(solver.parameters.data(), solver.inputs.data(), solver.state.data());
+  });
   if (status.ok()) unflatten(solver.state, state);
   return status;
 }
 
 Status step(LoadedSolver& solver, SolverSettings::Integrator integrator, GenericState& state, double h) {
-  const SolverTable& table = *solver.table;
   flatten(state, solver.state);
   using Integrator = SolverSettings::Integrator;
-  const auto one_step = integrator == Integrator::rk4 ? table.step_rk4 : table.step_rosenbrock;
-  const Status status = integrator == Integrator::abm4
-                            ? table.step_abm4(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                                              solver.history.data(), h)
-                            : one_step(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h);
+  const Status status = called(solver, [&](const SolverTable& table) {
+    const auto one_step = integrator == Integrator::rk4 ? table.step_rk4 : table.step_rosenbrock;
+    return integrator == Integrator::abm4
+               ? table.step_abm4(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
+                                 solver.history.data(), h)
+               : one_step(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h);
+  });
   if (status.ok()) unflatten(solver.state, state);
   return status;
 }
 
 Status sample(LoadedSolver& solver, GenericState& state, double h, bool& any) {
   flatten(state, solver.state);
-  const Status status =
-      solver.table->sample(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h, &any);
+  const Status status = called(solver, [&](const SolverTable& table) {
+    return table.sample(solver.parameters.data(), solver.inputs.data(), solver.state.data(), h, &any);
+  });
   if (status.ok()) unflatten(solver.state, state);
   return status;
 }
@@ -124,8 +148,10 @@ Status constraint_forces(LoadedSolver& solver, const LoadedState& at, const Gene
   flatten(derivative, solver.derivative);
   drive.resize(static_cast<std::size_t>(solver.table->drives));
   lambda.resize(static_cast<std::size_t>(solver.table->multipliers));
-  return solver.table->multiplier_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                                         at.tau.data(), solver.derivative.data(), lambda.data(), drive.data());
+  return called(solver, [&](const SolverTable& table) {
+    return table.multiplier_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(), at.tau.data(),
+                                   solver.derivative.data(), lambda.data(), drive.data());
+  });
 }
 
 Status outputs(LoadedSolver& solver, const LoadedState& at, const GenericDerivative& derivative,
@@ -134,8 +160,10 @@ Status outputs(LoadedSolver& solver, const LoadedState& at, const GenericDerivat
   flatten(derivative, solver.derivative);
   double energy[3] = {};
   values.y.resize(static_cast<std::size_t>(solver.table->outputs));
-  const Status status = solver.table->output_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                                                    at.tau.data(), solver.derivative.data(), values.y.data(), energy);
+  const Status status = called(solver, [&](const SolverTable& table) {
+    return table.output_values(solver.parameters.data(), solver.inputs.data(), solver.state.data(), at.tau.data(),
+                               solver.derivative.data(), values.y.data(), energy);
+  });
   values.kinetic_energy = energy[0];
   values.potential_energy = energy[1];
   values.applied_power = energy[2];
@@ -144,12 +172,13 @@ Status outputs(LoadedSolver& solver, const LoadedState& at, const GenericDerivat
 
 Status actuator_forces(LoadedSolver& solver, const LoadedState& at, GenericDerivative& derivative,
                        std::vector<double>& force) {
-  const SolverTable& table = *solver.table;
   flatten(at.state, solver.state);
   flatten(derivative, solver.derivative);
-  std::vector<double> values(static_cast<std::size_t>(table.actuators));
-  const Status status = table.actuator_forces(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                                              at.tau.data(), solver.derivative.data(), values.data());
+  std::vector<double> values(static_cast<std::size_t>(solver.table->actuators));
+  const Status status = called(solver, [&](const SolverTable& table) {
+    return table.actuator_forces(solver.parameters.data(), solver.inputs.data(), solver.state.data(), at.tau.data(),
+                                 solver.derivative.data(), values.data());
+  });
   if (!status.ok()) return status;
   unflatten(solver, derivative);
   force = std::move(values);
@@ -181,8 +210,10 @@ Status residuals(LoadedSolver& solver, const GenericState& state, Residuals& lar
   flatten(state, solver.state);
   std::vector<double> position(static_cast<std::size_t>(solver.table->closure_equations));
   std::vector<double> velocity(position.size());
-  const Status status = solver.table->residuals(solver.parameters.data(), solver.inputs.data(), solver.state.data(),
-                                                position.data(), velocity.data());
+  const Status status = called(solver, [&](const SolverTable& table) {
+    return table.residuals(solver.parameters.data(), solver.inputs.data(), solver.state.data(), position.data(),
+                           velocity.data());
+  });
   if (status.ok()) largest = {largest_absolute(position), largest_absolute(velocity)};
   return status;
 }
@@ -209,9 +240,15 @@ std::array<double, kSteps> step_shares(LoadedSolver& solver, const std::vector<L
 }
 
 /// The memory of one engine, parameters and inputs at the model's values.
-std::shared_ptr<LoadedSolver> prepared(std::shared_ptr<const SolverTable> shared, const Model& model) {
+std::shared_ptr<LoadedSolver> prepared(std::shared_ptr<const SolverTable> shared, const Compilation& compilation,
+                                       const EngineChoice& choice) {
+  const Model& model = compilation.model;
   auto solver = std::make_shared<LoadedSolver>();
   solver->table = std::move(shared);
+  if (solver->table->regular_only)
+    solver->whole = [decided = std::make_shared<const Compilation>(compilation), choice] {
+      return load_solver(*decided, choice);
+    };
   const SolverTable& table = *solver->table;
   for (const Parameter& parameter : model.parameters) {
     if (parameter.tunable) solver->parameters.push_back(parameter.value);
@@ -227,12 +264,12 @@ std::shared_ptr<LoadedSolver> prepared(std::shared_ptr<const SolverTable> shared
 }  // namespace
 
 Engine make_generated_engine(const Compilation& compilation, const EngineChoice& choice) {
-  return make_generated_engine(load_solver(compilation, choice), compilation, choice);
+  return make_generated_engine(load_regular_solver(compilation, choice), compilation, choice);
 }
 
 Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, const Compilation& compilation,
                              const EngineChoice& choice) {
-  const std::shared_ptr<LoadedSolver> solver = prepared(table, compilation.model);
+  const std::shared_ptr<LoadedSolver> solver = prepared(table, compilation, choice);
   Engine engine;
   engine.name = choice.name;
   engine.balls = compilation.topology.balls;
@@ -277,6 +314,7 @@ Engine make_generated_engine(const std::shared_ptr<const SolverTable>& table, co
     solver->inputs = inputs;
     solver->table->start_abm4(solver->history.data());
   };
+  engine.loading_seconds = [solver] { return solver->loading_seconds; };
   engine.time_accelerations = [solver](const std::vector<LoadedState>& at, int repetitions) {
     return time_accelerations(*solver, at, repetitions);
   };

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kEnding = ".request";
+constexpr std::string_view kEnding = ".request", kRegular = "_regular";
 constexpr std::size_t kLongestName = 255;
 constexpr std::size_t kMostRequests = 4096;  // of a block of the disk each: a long sweep has one for every case
 
@@ -57,14 +57,20 @@ void keep_newest(const fs::path& cache, std::string_view ending, std::size_t mos
 
 std::string request_of(const Compilation& decided, const EngineChoice& choice, const HostCompiler& compiler) {
   const Model& model = decided.model;
+  const bool is_regular = choice.use == SolverUse::regular;
+  const SolverUse use = is_regular ? SolverUse::running : choice.use;
   Hash hash;
   for (const std::string& text :
        {this_program(), model.name, model.hash, dump_model(model),
         std::string(name_of(written_form(decided, choice.form))),
-        fmt::format("{} {} {}", static_cast<int>(model.solver.integrator), choice.lanes, static_cast<int>(choice.use)),
+        fmt::format("{} {} {}", static_cast<int>(model.solver.integrator), choice.lanes, static_cast<int>(use)),
         key_of(compiler)})
     hash.add(text);
-  return hash.text();
+  return is_regular ? hash.text() + std::string(kRegular) : hash.text();
+}
+
+std::string request_of_whole(const std::string& request) {
+  return request.ends_with(kRegular) ? request.substr(0, request.size() - kRegular.size()) : request;
 }
 
 std::optional<fs::path> object_of_request(const fs::path& cache, const std::string& request) {

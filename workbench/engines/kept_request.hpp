@@ -25,6 +25,9 @@ void keep_newest(const std::filesystem::path& cache, std::string_view ending, st
 /// elements as they are now, the choices and the compiler. Equal requests give equal solvers.
 std::string request_of(const Compilation& decided, const EngineChoice& choice, const HostCompiler& compiler);
 
+/// The request of the whole solver in place of one of regular positions alone.
+std::string request_of_whole(const std::string& request);
+
 /// The object that a request led to, where the cache has both.
 std::optional<std::filesystem::path> object_of_request(const std::filesystem::path& cache, const std::string& request);
 

@@ -17,6 +17,12 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// A clock, s, that stands while the engine loads a solver.
+double solver_clock(const Engine& engine) {
+  const double now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+  return engine.loading_seconds ? now - engine.loading_seconds() : now;
+}
+
 /// Integral of samples at equal distances: Simpson's rule over pairs of steps, the trapezoidal rule for an odd last
 /// one.
 class Integral {
@@ -291,11 +297,11 @@ SimulationSummary simulate(const Engine& engine, const GenericState& state, cons
     if (sample.step == settings.steps || !goes_on || summary.is_stopped) break;
     if (const auto power = has_all ? power_after_samples(engine, settings.step, moving) : std::nullopt)
       collector.add_after_jump(*power);
-    const Clock::time_point before = Clock::now();
+    const double before = solver_clock(engine);
     const double end = time_after(state.t, static_cast<double>(sample.step + 1), settings.step);
     bool in_parts = false;
     summary.status = step_motion(engine, inputs, settings.step, end, moving, in_parts);
-    summary.solver_seconds += seconds_since(before);
+    summary.solver_seconds += solver_clock(engine) - before;
     if (!summary.status.ok()) break;
     if (in_parts && ++summary.parted_steps == 1) summary.first_parted = end;
     notices.add(summary.status, moving.t, summary.blocks);

@@ -7,7 +7,7 @@
 namespace mbgen {
 
 /// Layout of SolverTable; a loaded library with another number was made by another mbgen.
-constexpr int kSolverTableLayout = 8;
+constexpr int kSolverTableLayout = 9;
 
 /// Sizes and functions of one generated solver. Arrays, all in SI units and in the order of the model:
 ///   parameters  the tunable ones                 inputs   all of them
@@ -113,6 +113,8 @@ struct SolverTableOf {
   /// derivatives; null in other solvers.
   Status (*project_holding)(const Number* parameters, const Number* inputs, const unsigned char* held,
                             Number* state) noexcept;
+
+  bool regular_only;  ///< whether calls may fail with kNotRegular, see solver/regular.hpp
 };
 
 using SolverTable = SolverTableOf<double>;

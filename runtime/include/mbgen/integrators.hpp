@@ -37,6 +37,7 @@
 
 #include "mbgen/number.hpp"
 #include "mbgen/solver/care.hpp"
+#include "mbgen/solver/regular.hpp"
 #include "mbgen/solver/states.hpp"
 #include "mbgen/turns.hpp"
 
@@ -167,32 +168,6 @@ Status try_abm4(Care& care, const System& system, const typename System::State& 
   if (!Care::goes_on(status)) return status;
   status = care.rates(system, result, h, next);
   return status.ok() ? graver(met, status) : status;
-}
-
-/// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: first plainly, then
-/// carefully if required. A step that passed no singular position is checked for a jump across one. most: see
-/// WayLimits.
-template <class System, class Attempt>
-Status plainly_or_carefully(const System& system, const typename System::State& state, double h, double most,
-                            typename System::State& result, const Attempt& attempt) noexcept {
-  copy_state(state, result);
-  Plain<System> plain(state.t);
-  Status status = attempt(plain, result);
-  int left = plain.closures;
-  if (asks_for_care(status)) {
-    copy_state(state, result);
-    Careful<System> care(plain, status);
-    const Status careful = attempt(care, result);
-    const bool was_near = kLooksAcross<System> && careful.ok() && status.ok();
-    status = was_near ? graver(as_near(status), careful) : careful;
-    left = care.left();
-    if (status.ok() && care.passes()) return passed(system, state, h, most, result, status);
-  }
-  if (!status.ok() || status.code == Code::singular_met) return status;
-  using Real = WeightOf<decltype(System::State::z)>;
-  status = graver(status, plain.end);
-  const Status way = check_way(system, state, result, h, way_limits<Real>(most, asks_for_care(status)), left);
-  return way.ok() ? graver(status, way) : way;
 }
 
 /// Takes a step by `step` from the state with its charts settled; the state keeps its charts if the step fails.
@@ -380,7 +355,11 @@ Status rates_in_motion(const System& system, const typename System::State& state
   Plain<System> plain(state.t);
   Status status = plain.rates(system, state, h, rates);
   if (status.code == Code::singular_met || status.code == Code::loop_singular) {
-    status = Careful<System>(plain, status).rates(system, state, h, rates);
+    if constexpr (kRegularOnly<System>) {
+      return {kNotRegular, -1};
+    } else {
+      status = Careful<System>(plain, status).rates(system, state, h, rates);
+    }
   }
   if (!status.ok()) return status;
   copy(rates.derivative.zdd, derivative.zdd);

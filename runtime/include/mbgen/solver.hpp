@@ -7,6 +7,7 @@
 #include "mbgen/blocks.hpp"
 #include "mbgen/number.hpp"
 #include "mbgen/solver/closure.hpp"
+#include "mbgen/solver/regular.hpp"
 
 namespace mbgen {
 
@@ -181,7 +182,11 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
     if (in_other_chart(state)) {
       const Status status = check_arguments<System>(parameters, inputs, state, tau);
       if (!status.ok()) return status;
-      return other_chart_accelerations<System>(parameters, inputs, state, tau, values, derivative);
+      if constexpr (kRegularOnly<System>) {
+        return {kNotRegular, -1};
+      } else {
+        return other_chart_accelerations<System>(parameters, inputs, state, tau, values, derivative);
+      }
     }
   }
   System::accelerations(parameters, inputs, state, tau, values);
@@ -194,7 +199,11 @@ Status evaluate(const typename System::Parameters& parameters, const typename Sy
   }
   if constexpr (kChoosesAgain<System>) {
     if (!frozen_is_good<System>(values.pivot)) {
-      return pivoted_accelerations<System>(parameters, inputs, state, tau, values.pivot, derivative);
+      if constexpr (kRegularOnly<System>) {
+        return {kNotRegular, -1};
+      } else {
+        return pivoted_accelerations<System>(parameters, inputs, state, tau, values.pivot, derivative);
+      }
     }
   }
   return deliver_sound<System>(values, derivative);
@@ -231,8 +240,12 @@ Status solve_multipliers(const typename System::Parameters& parameters, const ty
     }
     if constexpr (kChoosesAgain<System>) {
       if (!frozen_is_good<System>(values.pivot)) {
-        const Status repaired = repair_multipliers<System>(parameters, inputs, state, values);
-        if (!repaired.ok()) return repaired;
+        if constexpr (kRegularOnly<System>) {
+          return {kNotRegular, -1};
+        } else {
+          const Status repaired = repair_multipliers<System>(parameters, inputs, state, values);
+          if (!repaired.ok()) return repaired;
+        }
       }
     }
     if (!is_finite(sum(values.lambda, System::kEquations) + sum(values.drive, System::kDrives))) {
@@ -244,16 +257,25 @@ Status solve_multipliers(const typename System::Parameters& parameters, const ty
   return {};
 }
 
-/// Multipliers for outputs: NaN if they cannot be computed, so that the other outputs remain available.
+/// Multipliers for outputs: NaN if they cannot be computed, so that the other outputs remain available. Fails:
+/// kNotRegular alone.
+template <class System>
+Status multipliers_or_nan(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                          const typename System::State& state, const RealOf<System>* tau,
+                          const typename System::Derivative& derivative,
+                          typename System::Multipliers& multipliers) noexcept {
+  for (auto& value : multipliers.lambda) value = std::numeric_limits<RealOf<System>>::quiet_NaN();
+  for (auto& value : multipliers.drive) value = std::numeric_limits<RealOf<System>>::quiet_NaN();
+  const Status status = solve_multipliers<System>(parameters, inputs, state, tau, derivative, multipliers);
+  return status.code == kNotRegular ? status : Status{};
+}
 template <class System>
 typename System::Multipliers multipliers_or_nan(const typename System::Parameters& parameters,
                                                 const typename System::Inputs& inputs,
                                                 const typename System::State& state, const RealOf<System>* tau,
                                                 const typename System::Derivative& derivative) noexcept {
   typename System::Multipliers multipliers;
-  for (auto& value : multipliers.lambda) value = std::numeric_limits<RealOf<System>>::quiet_NaN();
-  for (auto& value : multipliers.drive) value = std::numeric_limits<RealOf<System>>::quiet_NaN();
-  solve_multipliers<System>(parameters, inputs, state, tau, derivative, multipliers);
+  multipliers_or_nan<System>(parameters, inputs, state, tau, derivative, multipliers);
   return multipliers;
 }
 

@@ -6,6 +6,7 @@
 
 #include "mbgen/blocks.hpp"
 #include "mbgen/solver/fine.hpp"
+#include "mbgen/solver/regular.hpp"
 
 namespace mbgen {
 
@@ -205,7 +206,9 @@ template <class System>
 Status notice_at(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                  const typename System::State& state, const RealOf<System>* pivot) noexcept {
   Status notice;
-  if constexpr (kChoosesAgain<System>) {
+  if constexpr (kRegularOnly<System>) {
+    if (!is_far<System>(pivot)) notice = {kNotRegular, -1};
+  } else if constexpr (kChoosesAgain<System>) {
     if (is_far<System>(pivot)) return {};
     typename System::ClosureTerms terms;
     System::closure_terms(parameters, inputs, state, terms);

@@ -10,6 +10,7 @@
 //   bool close_across(Passage&, State&) const noexcept              see solver/passing.hpp
 //   Status rates_across(const Passage&, const State&, Derivative&) const noexcept
 
+#include "mbgen/solver/regular.hpp"
 #include "mbgen/solver/singular_step.hpp"
 
 namespace mbgen {
@@ -212,6 +213,55 @@ Status passed(const System& system, const typename System::State& state, double 
     if (way.code == Code::singular_met) return way;
   }
   return status;
+}
+
+/// The status of a plain step in a solver of regular positions alone: kNotRegular where another one would look closer.
+template <class System>
+Status regularly(const System& system, const typename System::State& state, double most,
+                 const typename System::State& result, Status status) noexcept {
+  using Real = WeightOf<decltype(System::State::z)>;
+  if (asks_for_care(status)) return {kNotRegular, -1};
+  if (status.ok() && system.moves_far(state, result, way_limits<Real>(most, false).least)) return {kNotRegular, -1};
+  return status;
+}
+
+/// The end of a step that was taken plainly, with this status: it is taken again with care if required, and its way is
+/// watched. See plainly_or_carefully.
+template <class System, class Attempt>
+Status closely(const System& system, const typename System::State& state, double h, double most,
+               typename System::State& result, const Attempt& attempt, const Plain<System>& plain,
+               Status status) noexcept {
+  int left = plain.closures;
+  if (asks_for_care(status)) {
+    copy_state(state, result);
+    Careful<System> care(plain, status);
+    const Status careful = attempt(care, result);
+    const bool was_near = kLooksAcross<System> && careful.ok() && status.ok();
+    status = was_near ? graver(as_near(status), careful) : careful;
+    left = care.left();
+    if (status.ok() && care.passes()) return passed(system, state, h, most, result, status);
+  }
+  if (!status.ok() || status.code == Code::singular_met) return status;
+  using Real = WeightOf<decltype(System::State::z)>;
+  status = graver(status, plain.end);
+  const Status way = check_way(system, state, result, h, way_limits<Real>(most, asks_for_care(status)), left);
+  return way.ok() ? graver(status, way) : way;
+}
+
+/// Takes a step of h seconds to `result` by attempt(care, result), which gets a copy of the state: first plainly, then
+/// carefully if required. A step that passed no singular position is checked for a jump across one. most: see
+/// WayLimits.
+template <class System, class Attempt>
+Status plainly_or_carefully(const System& system, const typename System::State& state, double h, double most,
+                            typename System::State& result, const Attempt& attempt) noexcept {
+  copy_state(state, result);
+  Plain<System> plain(state.t);
+  const Status status = attempt(plain, result);
+  if constexpr (kRegularOnly<System>) {
+    return regularly(system, state, most, result, status);
+  } else {
+    return closely(system, state, h, most, result, attempt, plain, status);
+  }
 }
 
 }  // namespace integrator_detail

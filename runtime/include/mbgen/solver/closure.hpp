@@ -8,6 +8,7 @@
 #include "mbgen/number.hpp"
 #include "mbgen/solver/corrections.hpp"
 #include "mbgen/solver/newton.hpp"
+#include "mbgen/solver/regular.hpp"
 
 namespace mbgen {
 
@@ -64,20 +65,10 @@ bool is_shortened(int b, const typename System::State& state, const typename Sys
   return is_unfair<System, correction>(b, state, closure);
 }
 
-/// Shortens dz and zd of the blocks whose frozen partition is only fair at this position. Replaces them by the
-/// corrections of a pivoted partition for ill-conditioned blocks. The status may be a notice. Fails: loop_singular.
+/// Replaces dz and zd of blocks that are watched, see correct_closure.
 template <class System, Correction correction>
-Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+Status correct_watched(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                        const typename System::State& state, typename System::Closure& closure) noexcept {
-  bool serves = true;
-  for (int b = 0; b < System::kBlocks; ++b) {
-    if (is_watched<System, correction>(b, closure)) {
-      serves = false;
-    } else if (is_shortened<System, correction>(b, state, closure)) {
-      shorten_block<System>(b, state, closure, [](const auto& value, auto& to) { to = value; });
-    }
-  }
-  if (serves) return {};
   typename System::ClosureTerms terms;
   System::closure_terms(parameters, inputs, state, terms);
   CorrectionWork<System> work;
@@ -95,13 +86,36 @@ Status correct_closure(const typename System::Parameters& parameters, const type
   return notice;
 }
 
+/// Shortens dz and zd of the blocks whose frozen partition is only fair at this position. Replaces them by the
+/// corrections of a pivoted partition for ill-conditioned blocks. The status may be a notice. Fails: loop_singular.
+template <class System, Correction correction>
+Status correct_closure(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
+                       const typename System::State& state, typename System::Closure& closure) noexcept {
+  bool serves = true;
+  for (int b = 0; b < System::kBlocks; ++b) {
+    if (is_watched<System, correction>(b, closure)) {
+      serves = false;
+    } else if (is_shortened<System, correction>(b, state, closure)) {
+      shorten_block<System>(b, state, closure, [](const auto& value, auto& to) { to = value; });
+    }
+  }
+  if (serves) return {};
+  if constexpr (kRegularOnly<System>) {
+    return {kNotRegular, -1};
+  } else {
+    return correct_watched<System, correction>(parameters, inputs, state, closure);
+  }
+}
+
 /// The closure of a state with a ball in its other chart: residuals and corrections of all blocks by closure_terms,
 /// which take charts. Of the frozen program driven coordinates alone are right. The status may be a notice. Fails:
 /// loop_singular.
 template <class System, Correction correction>
 Status correct_other_chart(const typename System::Parameters& parameters, const typename System::Inputs& inputs,
                            const typename System::State& state, typename System::Closure& closure) noexcept {
-  if constexpr (System::kBlocks > 0) {
+  if constexpr (kRegularOnly<System>) {
+    return {kNotRegular, -1};
+  } else if constexpr (System::kBlocks > 0) {
     typename System::ClosureTerms terms;
     System::closure_terms(parameters, inputs, state, terms);
     copy(terms.Phi, closure.residual, System::kEquations);

@@ -196,4 +196,14 @@ Status watch_way(const typename System::Parameters& parameters, const typename S
   return solver_detail::look_at_way<System>(parameters, inputs, from, to, h, limits);
 }
 
+/// Whether watch_way is to look at a step: of a solver of regular positions alone.
+template <class System>
+bool is_to_be_watched(const typename System::State& from, const typename System::State& to, double least) noexcept {
+  if constexpr (System::kBlocks > 0) {
+    return moves_far<System>(from.z, to.z, least) && solver_detail::one_moves_far<System>(from, to, least);
+  } else {
+    return false;
+  }
+}
+
 }  // namespace mbgen
