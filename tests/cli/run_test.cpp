@@ -111,6 +111,10 @@ TEST_F(CommandLine, BadStatesAreNamed) {
       {R"({"joint_order": ["crank_pin", "elbow"], "states": []})", "coordinates are missing: rocker_pin"},
       {R"({"joint_order": ["crank_pin", "elbow", "knee"], "states": []})", "the model has no coordinate \"knee\""},
       {R"({"joint_order": ["elbow", "elbow", "knee"], "states": []})", "coordinate \"elbow\" stands twice"},
+      {R"({"joint_ordr": [], "states": []})", "unknown field \"joint_ordr\"; did you mean \"joint_order\"?"},
+      {R"({"states": [{"z": [0, 0, 0]}, {"z": [0, 0, 0], "z": [1, 0, 0]}]})", "/states/1/z: stands twice"},
+      {R"({"states": [{"z": [0, 0, 0], "tua": [1, 2, 3]}]})", "unknown field \"tua\"; did you mean \"tau\"?"},
+      {R"({"states": [{"z": [0, 0, 0], "ZD": [1, 2, 3]}]})", "unknown field \"ZD\"; did you mean \"zd\"?"},
       {R"({"states": [{"z": [0, 0, 0], "inputs": {"wind": 1}}]})", "the model has no input \"wind\""}};
   for (const auto& [text, message] : cases) {
     write("states.json", text);
