@@ -83,8 +83,11 @@ TirEntries entries_of(Reader& reader, const Document& document, std::uint32_t fi
 std::optional<double> number_of_key(Reader& reader, TirEntries& entries, std::string_view key) {
   const TirEntry* entry = use_entry(entries, key);
   if (!entry) return std::nullopt;
-  if (const std::optional<double> number = number_of(*entry)) return number;
-  report(reader, entry->place, fmt::format("key {} must be a number, got {}", key, in_quotes(entry->value)));
+  const std::optional<double> number = number_of(*entry);
+  if (number && std::abs(*number) <= kLargestNumber) return number;
+  const std::string problem =
+      number ? too_large(entry->value) : fmt::format("must be a number, got {}", in_quotes(entry->value));
+  report(reader, entry->place, fmt::format("key {} {}", key, problem));
   return std::nullopt;
 }
 
@@ -284,7 +287,7 @@ std::optional<double> number_of(const TirEntry& entry) {
   double number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const bool whole = error == std::errc() && end == digits.data() + digits.size();
-  return whole && std::isfinite(number) && std::abs(number) <= kLargestNumber ? std::optional(number) : std::nullopt;
+  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 std::optional<TirTyre> read_tir(Reader& reader, const Value& value, const RequestsOfTyre& requests) {

@@ -41,7 +41,7 @@ void wrong_type(Reader& reader, const Value& value, std::string_view wanted, std
 /// is usable.
 bool check_number(Reader& reader, const Value& value, const FieldInfo& info, double number) {
   if (std::abs(number) > kLargestNumber) {
-    report(reader, value, fmt::format("must be at most {:g} in magnitude, got {}", kLargestNumber, number));
+    report(reader, value, too_large(fmt::format("{}", number)));
   } else if (info.bound == Bound::positive && number <= 0) {
     report(reader, value, fmt::format("must be positive, got {}", number));
   } else if (info.bound == Bound::not_negative && number < 0) {
@@ -183,6 +183,10 @@ void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector
 }
 
 }  // namespace
+
+std::string too_large(std::string_view written) {
+  return fmt::format("must be at most {:g} in magnitude, got {}", kLargestNumber, written);
+}
 
 void report(Reader& reader, Place place, std::string message, std::string hint) {
   reader.problems.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});

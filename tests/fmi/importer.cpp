@@ -175,7 +175,9 @@ void differentiate(const Case& c) {
   weigh_unknowns(unit, unknowns, knowns);
   for (std::size_t k = 0; k < knowns.size(); ++k) {
     Row rates, at[2];
+    last_message.clear();
     require(unit.directional(unknowns, {knowns[k]}, {1.0}, rates) == kOk, "directional derivative");
+    require(last_message.empty(), "a derivative that exists is told about: " + last_message);
     const double value = values(unit, {knowns[k]})[0], delta = 1e-6 * std::max(1.0, std::abs(value));
     for (int side = 0; side < 2; ++side) {
       set(k, value + (side == 0 ? -delta : delta));

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "compiler/text/plain_json.hpp"
 #include "workbench/import/urdf.hpp"
 
 namespace mbgen::importing {
@@ -252,15 +253,17 @@ std::vector<UrdfLoop> read_sidecar(Reading& reading, UrdfRobot& robot) {
   std::vector<UrdfLoop> sidecar;
   if (!reading.request.loops) return sidecar;
   SidecarReader reader{reading, robot};
-  Json root;
-  try {
-    root = Json::parse(*reading.request.loops, nullptr, true, true);
-  } catch (const Json::parse_error& error) {
-    const int file = add_source(reading, reading.request.loops_file, *reading.request.loops);
-    const std::size_t offset = error.byte > 0 ? error.byte - 1 : 0;
-    problem(reading, {file, std::min(offset, reading.request.loops->size())}, "not well-formed JSON");
+  const PlainJson json = read_plain_json(*reading.request.loops);
+  if (json.fault && !json.fault->pointer.empty()) {
+    reader.fail(json.fault->pointer, json.fault->message);
     return sidecar;
   }
+  if (json.fault) {
+    const int file = add_source(reading, reading.request.loops_file, *reading.request.loops);
+    problem(reading, {file, json.fault->byte}, json.fault->is_number ? json.fault->message : "not well-formed JSON");
+    return sidecar;
+  }
+  const Json& root = json.value;
   if (!root.is_object()) {
     reader.fail("", "must be an object with \"loops\" or \"positions\"");
     return sidecar;

@@ -4,11 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
+#include <cctype>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <set>
 
+#include "compiler/text/plain_json.hpp"
+#include "compiler/text/similar_words.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/host/files.hpp"
@@ -17,11 +18,11 @@
 namespace mbgen {
 namespace {
 
-using UnorderedJson = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// A value of the file and the way to it, for messages.
 struct Entry {
-  const UnorderedJson& value;
+  const Json& value;
   std::string path;  ///< file and JSON pointer
 };
 
@@ -29,52 +30,28 @@ struct Entry {
   throw UserError(fmt::format("{}: {}\n", path, message));
 }
 
-/// Watches the objects and arrays that are open while a text is parsed. Fails: UserError for a key that stands twice in
-/// an object, of which a parser would keep one.
-class KeysOnce {
- public:
-  explicit KeysOnce(std::string path) : path_(std::move(path)) {}
+Json parse(const std::string& text, const std::string& path) {
+  PlainJson json = read_plain_json(text);
+  if (!json.fault) return std::move(json.value);
+  if (json.fault->pointer.empty()) fail(path, "no JSON: " + json.fault->message);
+  fail(path + ": " + json.fault->pointer, json.fault->message);
+}
 
-  bool operator()(int, UnorderedJson::parse_event_t event, const UnorderedJson& parsed) {
-    using Event = UnorderedJson::parse_event_t;
-    if (event == Event::object_end || event == Event::array_end) {
-      open_.pop_back();
-    } else if (event == Event::key) {
-      open_.back().place = parsed.get<std::string>();
-      if (!open_.back().keys.insert(open_.back().place).second) fail(path_, pointer() + ": the key stands twice");
-    } else {
-      if (!open_.empty() && open_.back().is_array) open_.back().place = std::to_string(open_.back().items++);
-      if (event != Event::value) open_.push_back({event == Event::array_start, 0, "", {}});
+/// Names that differ by one letter at most; one or two letters only by their case.
+bool is_misspelt(std::string_view name, std::string_view known) {
+  std::string lower(name);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == known || (std::min(name.size(), known.size()) > 2 && edit_distance(lower, known) <= 1);
+}
+
+/// Other fields are ignored, but not one that was meant to be known: its numbers would not count.
+void refuse_misspelt(const Entry& entry, const std::vector<std::string_view>& fields) {
+  for (const auto& [name, value] : entry.value.items()) {
+    if (std::ranges::find(fields, name) != fields.end()) continue;
+    for (const std::string_view field : fields) {
+      if (is_misspelt(name, field))
+        fail(entry.path, fmt::format("unknown field \"{}\"; did you mean \"{}\"?", name, field));
     }
-    return true;
-  }
-
- private:
-  struct Open {
-    bool is_array = false;
-    std::size_t items = 0;
-    std::string place;  ///< of the member that is read: its key, or its number
-    std::set<std::string> keys;
-  };
-
-  std::string pointer() const {
-    std::string text;
-    for (const Open& one : open_) text += "/" + one.place;
-    return text;
-  }
-
-  std::string path_;
-  std::vector<Open> open_ = {};
-};
-
-UnorderedJson parse(const std::string& text, const std::string& path) {
-  try {
-    KeysOnce watch(path);
-    return UnorderedJson::parse(text, std::ref(watch), true, true);
-  } catch (const UnorderedJson::exception& error) {
-    const std::string message = error.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
-    const std::size_t bracket = message.find("] ");
-    fail(path, "no JSON: " + (bracket == std::string::npos ? message : message.substr(bracket + 2)));
   }
 }
 
@@ -152,6 +129,7 @@ void read_inputs(const Entry& entry, const Model& model, std::vector<double>& in
 FileState read_state(const Entry& entry, const Compilation& compilation, const StatesFile& file,
                      const std::vector<double>& default_inputs) {
   if (!entry.value.is_object()) fail(entry.path, fmt::format("must be an object, found {}", entry.value.type_name()));
+  refuse_misspelt(entry, {"z", "zd", "tau", "x", "t", "inputs", "zdd"});
   FileState state;
   GenericState& values = state.at.state;
   values = reference_state(compilation);
@@ -170,10 +148,10 @@ FileState read_state(const Entry& entry, const Compilation& compilation, const S
 }
 
 /// Expected accelerations where the file has them; whatever else stands there is none of ours.
-std::vector<double> read_expected(const UnorderedJson& state, const StatesFile& file) {
+std::vector<double> read_expected(const Json& state, const StatesFile& file) {
   const auto found = state.find("zdd");
   if (found == state.end() || !found->is_array() || found->size() != file.coordinate.size()) return {};
-  const auto is_number = [](const UnorderedJson& value) { return value.is_number(); };
+  const auto is_number = [](const Json& value) { return value.is_number(); };
   if (!std::all_of(found->begin(), found->end(), is_number)) return {};
   return read_coordinates({state, ""}, "zdd", file);
 }
@@ -206,15 +184,16 @@ StatesFile read_states(const std::string& path, const Compilation& compilation,
 
 StatesFile parse_states(const std::string& text, const std::string& path, const Compilation& compilation,
                         const std::vector<double>& default_inputs) {
-  const UnorderedJson json = parse(text, path);
+  const Json json = parse(text, path);
   if (!json.is_object() || !json.contains("states") || !json["states"].is_array()) {
     fail(path, "must be an object with an array \"states\"");
   }
+  refuse_misspelt({json, path}, {"states", "joint_order"});
   StatesFile file;
-  const UnorderedJson model_order = coordinate_names(compilation.topology);
+  const Json model_order = coordinate_names(compilation.topology);
   const bool has_order = json.contains("joint_order");
   read_order({has_order ? json["joint_order"] : model_order, path + ": /joint_order"}, compilation.topology, file);
-  const UnorderedJson& states = json["states"];
+  const Json& states = json["states"];
   for (std::size_t i = 0; i < states.size(); ++i) {
     file.states.push_back(
         read_state({states[i], fmt::format("{}: /states/{}", path, i)}, compilation, file, default_inputs));

@@ -26,8 +26,8 @@ struct StatesFile {
 /// Reads {"joint_order": [names], "states": [{"z", "zd", "tau", "x", "t", "inputs", "zdd"}]}. joint_order is any
 /// permutation of all coordinates, by default the order of the model; missing zd, tau, x and t are zero, missing inputs
 /// as in `default_inputs`; "zdd" may be {name: number} of some coordinates, for inverse
-/// dynamics; null represents a number that is not finite; other fields are ignored. Fails: UserError that
-/// names the file, the place and the value.
+/// dynamics; null represents a number that is not finite; other fields are ignored, unless they are misspelt
+/// ones of these. Fails: UserError that names the file, the place and the value.
 StatesFile read_states(const std::string& path, const Compilation& compilation,
                        const std::vector<double>& default_inputs);
 

@@ -87,7 +87,11 @@ std::optional<double> number_in(Reader& reader, const std::vector<CsvField>& fie
     return std::nullopt;
   }
   const std::optional<double> number = number_of(field.text);
-  if (!number || std::abs(*number) > kLargestNumber) {
+  if (number && std::abs(*number) > kLargestNumber) {
+    report(reader, field.place, too_large(field.text));
+    return std::nullopt;
+  }
+  if (!number) {
     report(reader, field.place,
            is_shown(reader, field.place) ? fmt::format("must be a number, got {}", in_quotes(field.text))
                                          : "must be a number",

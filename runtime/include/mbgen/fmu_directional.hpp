@@ -16,30 +16,38 @@ bool is_frozen(const Along& along) noexcept {
   return true;
 }
 
+constexpr const char* kOtherCoordinates = "a loop has, or needs, other independent coordinates than at the start";
+
+/// A reason is set only with its refusal: beside an ok it would be told as a remark.
+template <class Model>
+Answer without_derivatives(Core<Model>& core, const char* reason) noexcept {
+  core.refusal.reason = reason;
+  return Answer::discard;
+}
+
 /// Completes a direction of independent coordinates, auxiliary states, time, inputs and parameters: the loops stay
 /// closed, and accelerations and multipliers follow. The Newton step of the closure has the derivative of the closed
 /// positions: at the solution it does not depend on the dependent positions.
 /// Answer: discard where a loop block needs another partition.
 template <class Model>
-Answer complete(const Core<Model>& core, typename Model::Direction& direction,
-                typename Model::AccelerationsAlong& rates, typename Model::OutputsAlong& outputs) noexcept {
+Answer complete(Core<Model>& core, typename Model::Direction& direction, typename Model::AccelerationsAlong& rates,
+                typename Model::OutputsAlong& outputs) noexcept {
   const Run<Model>& run = core.run;
   if constexpr (Model::kHasClosure) {
     typename Model::ClosureAlong closure;
     Model::closure_along(run.parameters, run.inputs, core.solved, direction, closure);
-    if (!is_frozen<Model>(closure)) return Answer::discard;
+    if (!is_frozen<Model>(closure)) return without_derivatives(core, kOtherCoordinates);
     for (int i = 0; i < Model::kCoordinates; ++i) direction.z[i] += closure.dz[i];
     Model::closure_along(run.parameters, run.inputs, core.solved, direction, closure);
     for (int i = 0; i < Model::kCoordinates; ++i) direction.zd[i] = closure.zd[i];
   }
   Model::accelerations_along(run.parameters, run.inputs, core.solved, direction, rates);
-  if (!is_frozen<Model>(rates)) return Answer::discard;
+  if (!is_frozen<Model>(rates)) return without_derivatives(core, kOtherCoordinates);
   for (int i = 0; i < Model::kCoordinates; ++i) direction.zdd[i] = rates.zdd[i];
   typename Model::Multipliers multipliers{};
   if constexpr (Model::kOutputsTakeMultipliers) {
-    if (!Model::multipliers(run.parameters, run.inputs, core.solved, core.derivative, multipliers).ok()) {
-      return Answer::discard;
-    }
+    core.status = Model::multipliers(run.parameters, run.inputs, core.solved, core.derivative, multipliers);
+    if (!core.status.ok()) return Answer::discard;
     typename Model::MultipliersAlong forces;
     Model::multipliers_along(run.parameters, run.inputs, core.solved, core.derivative, direction, forces);
     for (int i = 0; i < Model::kMultipliers; ++i) direction.lambda[i] = forces.lambda[i];
@@ -130,10 +138,10 @@ Answer prepare_derivatives(Core<Model>& core, const unsigned* unknowns, unsigned
     if (!is_unknown(place_of<Model>(unknowns[i]).group))
       return refuse(core, Refusal::of_variable(unknowns[i], "is no unknown: it has no derivative by others"));
   }
-  core.refusal.reason = "a loop has, or needs, other independent coordinates than at the start";
-  if (!is_frozen_choice(core.run.choice) || !solve(core)) return Answer::discard;
-  core.refusal.reason = "a ball joint is near the pole of its angles: no derivative by them there";
-  return in_other_chart(core.solved) ? Answer::discard : Answer::ok;
+  if (!is_frozen_choice(core.run.choice)) return without_derivatives(core, kOtherCoordinates);
+  if (!solve(core)) return Answer::discard;
+  if (!in_other_chart(core.solved)) return Answer::ok;
+  return without_derivatives(core, "a ball joint is near the pole of its angles: no derivative by them there");
 }
 
 /// Adds the rates of knowns to a direction. Answer: error for a known that is none, or a rate that is not finite.
