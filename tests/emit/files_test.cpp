@@ -69,6 +69,7 @@ TEST(EmittedFiles, areFiveAndTheHeadersTheyInclude) {
                                                  "mbgen/solver/passage.hpp",
                                                  "mbgen/solver/passage_nodes.hpp",
                                                  "mbgen/solver/passing.hpp",
+                                                 "mbgen/solver/regular.hpp",
                                                  "mbgen/solver/shortest.hpp",
                                                  "mbgen/solver/sides.hpp",
                                                  "mbgen/solver/singular_step.hpp",
