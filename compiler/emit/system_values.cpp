@@ -58,6 +58,13 @@ std::vector<int> multiplier_places(const Topology& topology) {
   return places;
 }
 
+std::string multiplier_place_table(const EmitContext& context) {
+  return table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)));
+}
+
+/// Whether a solver takes pivots of loop blocks: one of regular positions alone for inverse dynamics only.
+bool pivots_blocks(const EmitContext& context) { return !context.regular_only || context.layout.actuators > 0; }
+
 std::vector<int> drive_coordinates(const EmitContext& context) {
   return mapped(context.model.motions,
                 [&](const Motion& motion) { return tree_coordinate(context.topology, motion.joint); });
@@ -166,43 +173,43 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
     early_rank.push_back(decided.late.equations.empty() ? decided.rank : decided.late.early_rank);
   }
   const bool has_late = std::find(late.begin(), late.end(), true) != late.end();
+  const bool pivots = pivots_blocks(context);
   const bool watches_states = context.model.solver.is_implicit() && layout.own_states > 0;
   // Members for closures and loops are left out without them, so that nothing is unused; lanes leave the choice of
   // coordinates at run time to the solver of one instance.
-  return {
-      {"blocks", blocks.size()},
-      {"free_directions", layout.free_directions},
-      {"actuated_directions", layout.actuated_directions},
-      {"first_own_state", watches_states ? std::to_string(first_user_state(context.model)) : ""},
-      {"number", name_of(plain(context.options.scalar))},
-      {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
-      {"alone", is_number(scalar)},
-      {"holds", layout.holds > 0 ? std::to_string(layout.holds) : ""},
-      {"frozen_only", !layout.chooses_again},
-      {"ball_table", table("mbgen::Ball", "kBall", ball_items(context.topology))},
-      {"block_coordinates", blocks.empty() ? "" : std::to_string(layout.block_coordinates)},
-      {"free_direction_table",
-       table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},
-      {"parameter_members", member_table(scalar, "Parameters", "kParameterMember", names.parameters)},
-      {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
-      {"actuator_scale", table(name_of(plain(context.options.scalar)), "kActuatorScale", actuator_scales(context))},
-      {"typical_actuation", number_text(context.analysis.typical_actuation)},
-      {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
-      {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
-      {"late_equation", table("unsigned char", "kLateEquation", items_of(late))},
-      {"early_rank", has_late ? table("int", "kEarlyRank", items_of(early_rank)) : ""},
-      {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
-      {"block_layout", block_layout(blocks, scalar)},
-      {"fine_tables", is_number(scalar) && layout.chooses_again && !context.regular_only ? fine_tables(context) : ""},
-      {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
-      {"block_driven", table("unsigned char", "kBlockDriven", items_of(block_driven))},
-      {"multiplier_place", table("int", "kMultiplierPlace", items_of(multiplier_places(context.topology)))},
-      {"members", members},
-      {"later_inputs", later_inputs(context.model, names, context.options.scalar)},
-      {"scalar", name_of(scalar)},
-      {"parameters_argument", names.parameters.empty() ? "/*parameters*/" : "parameters"},
-      {"inputs_argument", names.inputs.empty() ? "/*inputs*/" : "inputs"},
-      {"sum", argument_sum(names, scalar)}};
+  return {{"blocks", blocks.size()},
+          {"free_directions", layout.free_directions},
+          {"actuated_directions", layout.actuated_directions},
+          {"first_own_state", watches_states ? std::to_string(first_user_state(context.model)) : ""},
+          {"number", name_of(plain(context.options.scalar))},
+          {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
+          {"alone", is_number(scalar)},
+          {"holds", layout.holds > 0 ? std::to_string(layout.holds) : ""},
+          {"frozen_only", !layout.chooses_again},
+          {"ball_table", table("mbgen::Ball", "kBall", ball_items(context.topology))},
+          {"block_coordinates", blocks.empty() ? "" : std::to_string(layout.block_coordinates)},
+          {"free_direction_table",
+           table("mbgen::FreeDirection", "kFreeDirection", free_direction_items(context), "{0, -1, 0}")},
+          {"parameter_members", member_table(scalar, "Parameters", "kParameterMember", names.parameters)},
+          {"input_members", member_table(scalar, "Inputs", "kInputMember", names.inputs)},
+          {"actuator_scale", table(name_of(plain(context.options.scalar)), "kActuatorScale", actuator_scales(context))},
+          {"typical_actuation", number_text(context.analysis.typical_actuation)},
+          {"driven", table("unsigned char", "kDriven", items_of(context.analysis.driven))},
+          {"redundant", table("unsigned char", "kRedundant", items_of(redundant))},
+          {"late_equation", table("unsigned char", "kLateEquation", items_of(late))},
+          {"early_rank", has_late ? table("int", "kEarlyRank", items_of(early_rank)) : ""},
+          {"drive_coordinate", table("int", "kDriveCoordinate", items_of(drive_coordinates(context)))},
+          {"block_layout", block_layout(blocks, scalar)},
+          {"fine_tables", is_number(scalar) && layout.chooses_again && pivots ? fine_tables(context) : ""},
+          {"block_coordinate", table("int", "kBlockCoordinate", items_of(coordinates))},
+          {"block_driven", pivots ? table("unsigned char", "kBlockDriven", items_of(block_driven)) : ""},
+          {"multiplier_place", context.regular_only ? "" : multiplier_place_table(context)},
+          {"members", members},
+          {"later_inputs", later_inputs(context.model, names, context.options.scalar)},
+          {"scalar", name_of(scalar)},
+          {"parameters_argument", names.parameters.empty() ? "/*parameters*/" : "parameters"},
+          {"inputs_argument", names.inputs.empty() ? "/*inputs*/" : "inputs"},
+          {"sum", argument_sum(names, scalar)}};
 }
 
 }  // namespace mbgen
