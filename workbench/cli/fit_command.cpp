@@ -24,8 +24,6 @@ struct FitOptions {
   bool json = false;
 };
 
-std::string journal_of_fit(const std::string& out) { return out.empty() ? "" : out + ".journal"; }
-
 int run_fit(FitOptions options) {
   options.fit.jobs = options.jobs > 0 ? options.jobs : processors();
   if (is_special(options.out) && !options.out.empty())
@@ -37,14 +35,14 @@ int run_fit(FitOptions options) {
   if (!options.out.empty()) require_other_file(options.out, read);
   if (!options.page.empty()) require_other_file(options.page, read);
   require_written_apart(
-      {{"--out", options.out}, {"--report", options.page}, {"the journal beside --out", journal_of_fit(options.out)}});
+      {{"--out", options.out}, {"--report", options.page}, {"the journal beside --out", journal_beside(options.out)}});
   if (!options.out.empty()) {
     std::vector<std::string> names;
     for (const std::vector<std::string>* texts : {&options.fit.free, &options.fit.model.set})
       for (const std::string& text : *texts) names.push_back(text.substr(0, text.find('=')));
     require_places(options.fit.model.path, names, options.out);
   }
-  options.fit.journal = journal_of_fit(options.out);
+  options.fit.journal = journal_beside(options.out);
   try {
     const fit::FitResult result = fit::fit_model_to_data(options.fit);
     if (!options.out.empty()) write_file(options.out, fit::fitted_model(result, options.out), result.files);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "compiler/text/user_error.hpp"
@@ -35,9 +34,8 @@ void check_files(const OptimiseOptions& options) {
   read.insert(read.end(), search.manoeuvres.begin(), search.manoeuvres.end());
   if (!options.out.empty()) require_other_file(options.out, read);
   if (!options.page.empty()) require_other_file(options.page, read);
-  require_written_apart({{"--out", options.out},
-                         {"--report", options.page},
-                         {"the journal beside --out", options.out.empty() ? "" : options.out + ".journal"}});
+  require_written_apart(
+      {{"--out", options.out}, {"--report", options.page}, {"the journal beside --out", journal_beside(options.out)}});
   if (options.out.empty() || !search.trade_off.empty()) return;
   std::vector<std::string> names;
   for (const std::vector<std::string>* texts : {&search.free, &search.model.set})
@@ -64,7 +62,7 @@ int write_result(const OptimiseOptions& options, const optimise::OptimiseResult&
 int run_optimise(OptimiseOptions options) {
   options.search.jobs = options.jobs > 0 ? options.jobs : processors();
   check_files(options);
-  options.search.journal = options.out.empty() ? "" : options.out + ".journal";
+  options.search.journal = journal_beside(options.out);
   try {
     return write_result(options, optimise::optimise_model(options.search));
   } catch (const Interrupted&) {

@@ -14,6 +14,9 @@ std::map<std::string, std::string> parameter_places(const std::string& model_fil
 /// that no file of the model writes in its own "parameters", as one of an instance.
 void require_places(const std::string& model_file, const std::vector<std::string>& names, const std::string& path);
 
+/// The journal of a search beside the model that it writes, "" for one that writes none.
+inline std::string journal_beside(const std::string& out) { return out.empty() ? "" : out + ".journal"; }
+
 /// A model of the values.
 struct FoundModel {
   std::string name, description;
