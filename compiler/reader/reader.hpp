@@ -103,11 +103,6 @@ constexpr double kUnreadable = std::numeric_limits<double>::quiet_NaN();
 /// Values of `frame` of a force or a reaction.
 constexpr std::array<std::string_view, 2> kFrames = {"global", "body"};
 
-constexpr double kLargestNumber = 1e15;
-
-/// Message on a larger number. written: its text in the file.
-std::string too_large(std::string_view written);
-
 void report(Reader& reader, Place place, std::string message, std::string hint = {});
 inline void report(Reader& reader, const Value& value, std::string message, std::string hint = {}) {
   report(reader, value.place, std::move(message), std::move(hint));

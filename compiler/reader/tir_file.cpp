@@ -11,6 +11,7 @@
 #include "compiler/reader/tables/csv_table.hpp"
 #include "compiler/reader/tyre_notes.hpp"
 #include "compiler/text/characters.hpp"
+#include "compiler/text/number.hpp"
 
 namespace mbgen::reading {
 namespace {

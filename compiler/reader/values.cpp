@@ -9,6 +9,7 @@
 #include "compiler/expressions/evaluate.hpp"
 #include "compiler/reader/positions.hpp"
 #include "compiler/reader/reader.hpp"
+#include "compiler/text/number.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -183,10 +184,6 @@ void read_axis(Reader& reader, const Value& value, const FieldInfo& info, Vector
 }
 
 }  // namespace
-
-std::string too_large(std::string_view written) {
-  return fmt::format("must be at most {:g} in magnitude, got {}", kLargestNumber, written);
-}
 
 void report(Reader& reader, Place place, std::string message, std::string hint) {
   reader.problems.push_back({place, std::move(message), std::move(hint), current_scope(reader).path});

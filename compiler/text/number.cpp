@@ -11,6 +11,10 @@
 
 namespace mbgen {
 
+std::string too_large(std::string_view written) {
+  return fmt::format("must be at most {:g} in magnitude, got {}", kLargestNumber, written);
+}
+
 double parse_number(const std::string& text, const std::string& what) {
   double value = 0;
   const char* end = text.data() + text.size();
@@ -18,6 +22,7 @@ double parse_number(const std::string& text, const std::string& what) {
   if (error != std::errc() || stop != end || !std::isfinite(value)) {
     throw UserError(fmt::format("{}: \"{}\" is not a finite number\n", what, text));
   }
+  if (std::abs(value) > kLargestNumber) throw UserError(fmt::format("{}: {}\n", what, too_large(text)));
   return value;
 }
 

@@ -2,10 +2,17 @@
 // Numbers on the command line and in tables.
 
 #include <string>
+#include <string_view>
 
 namespace mbgen {
 
-/// Parses a finite number. Fails: UserError that begins with `what`.
+/// Largest magnitude of a number in a file or on the command line.
+constexpr double kLargestNumber = 1e15;
+
+/// Message on a larger number. written: its text.
+std::string too_large(std::string_view written);
+
+/// Parses a number of at most kLargestNumber in magnitude. Fails: UserError that begins with `what`.
 double parse_number(const std::string& text, const std::string& what);
 
 /// Decimal places of the shortest decimal equal to `value`.

@@ -194,6 +194,7 @@ TEST_F(Driven, TablesThatCannotBeUsedAreRefusedByLine) {
       {"t,torque,torque\n0,1,1\n", "table.csv:1: column \"torque\" stands twice\n"},
       {"\nt,torque\n0,1\n0.1\n", "table.csv:4: must have 2 fields like the header, found 1\n"},
       {"t,torque\n0,1\n0.1,strong\n", "table.csv:3: torque: \"strong\" is not a finite number\n"},
+      {"t,torque\n0,1e308\n", "table.csv:2: torque: must be at most 1e+15 in magnitude, got 1e308\n"},
       {"t,torque\n0,inf\n", "table.csv:2: torque: \"inf\" is not a finite number\n"},
       {"t,torque\n0,1\nlater,2\n", "table.csv:3: t: \"later\" is not a finite number\n"},
       {"t,torque\n0.2,1\n0.2,2\n", "table.csv:3: t must increase, found 0.2 after 0.2\n"},

@@ -23,6 +23,7 @@ class RefusedData : public Fit {
 TEST_F(RefusedData, EachHasItsMessage) {
   const std::vector<BadData> cases = {
       {"t,x\n0,0\n0.1,one\n", "", "bad.csv:3: x: must be a number, or empty for none, found \"one\"\n"},
+      {"t,x\n0,0\n0.1,1e300\n", "", "bad.csv:3: x: must be at most 1e+15 in magnitude, got 1e300\n"},
       {"t,x\n0,0\n0.1,inf\n", "", "bad.csv:3: x: must be a number, or empty for none, found \"inf\"\n"},
       {"t,x\n0,0\n0.1\n", "", "bad.csv:3: must have 2 fields like the header, found 1\n"},
       {"t,x\n0,0\n0.1,1\n\n0.1,2\n", "", "bad.csv:5: t must increase, found 0.1 after 0.1\n"},
@@ -85,6 +86,10 @@ TEST_F(RefusedData, OptionsHaveTheirMessages) {
        "--free mass: it starts at 2, outside of its bounds 3 to 5\n  hint: write LOW:START:HIGH\n"},
       {"--match x --free mass,mass", "--free: \"mass\" stands twice\n"},
       {"--match x --free mass --set mass=3", "--set mass: --free finds the value of \"mass\"\n"},
+      {"--match x --free mass --data ./run.csv", "--data: \"./run.csv\" stands twice\n"},
+      {"--match x --free mass --hold-out ./run.csv",
+       "--hold-out: \"./run.csv\" is one of --data: it would test nothing\n"},
+      {"--match x --free mass=1:1e16", "--free mass: must be at most 1e+15 in magnitude, got 1e16\n"},
       {"--match x --free mass --loss huber", "--loss: must be squares, huber:LIMIT or cauchy:LIMIT, found \"huber\"\n"},
       {"--match x --free mass --nuisance x:drift", "--nuisance x: \"drift\" is not among gain, bias, delay\n"},
       {"--match x --free mass --nuisance x", "--nuisance x: name the faults that are found, x:gain:bias:delay\n"},
@@ -95,7 +100,7 @@ TEST_F(RefusedData, OptionsHaveTheirMessages) {
        "--target \"mode:0:frequency\": modes are numbered from 1, found 0\n"},
       {"--match x --free mass --target y=1:1", "--target \"y\":1:1: unknown name \"y\"\n"},
       {"--free mass --target mode:2:frequency=1:1 --match x",
-       "fit: no result at the start values: --target: mode:2:frequency: the model has 1 oscillations\n"},
+       "fit: no result at the start values: --target: mode:2:frequency: the model has 1 oscillation\n"},
       {"--match x --free mass -o run.csv", "run.csv: cannot write: it is read by this command\n"},
       {"--match x --free mass -o f.json --report ./f.json", "./f.json: --out and --report must be two files\n"},
       {"--match x --free mass -o f.json --report f.json.journal",

@@ -2,6 +2,7 @@
 // a curve. Five links against their spheres, solved here alone.
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -187,6 +188,13 @@ TEST(Choices, OnlyAxlesThatCannotStandHangFree) {
   const KcReport report = report_of(expect(read_model(stuck.dump(), "spare.json")), {.points = 3}, "front");
   EXPECT_EQ(report.notes.front(),
             "wheels of axle \"rear\" and tyre \"spare\" hang free: on pads they would have no position of rest");
+}
+
+TEST(Choices, AnAngleForAnAxleWithoutSteeringIsTold) {
+  const Model car = expect(read_model(with_twist_beam().dump(), "three_axles.json"));
+  const std::string note = "the axle has no steering: --steer changes nothing";
+  EXPECT_EQ(std::ranges::count(report_of(car, {.steer = 0.1, .points = 3}, "tag").notes, note), 1);
+  EXPECT_EQ(std::ranges::count(report_of(car, {.points = 3}, "tag").notes, note), 0);
 }
 
 TEST(Choices, AnAxleWithoutRideFreedomIsNamed) {

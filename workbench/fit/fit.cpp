@@ -91,12 +91,27 @@ std::string description_of(const FitArguments& arguments, const FitProblem& prob
   return words.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+/// Fails: UserError for measured data that are given twice: they would count twice, or test themselves.
+void require_given_once(const FitArguments& arguments) {
+  std::vector<std::string> files = arguments.data;
+  files.insert(files.end(), arguments.held_out.begin(), arguments.held_out.end());
+  for (std::size_t i = 0; i < files.size(); ++i)
+    for (std::size_t j = i + 1; j < files.size(); ++j) {
+      if (!is_same_file(files[i], files[j])) continue;
+      const bool is_data = j < arguments.data.size(), is_test = i >= arguments.data.size();
+      throw UserError(is_data || is_test
+                          ? fmt::format("{}: \"{}\" stands twice\n", is_data ? "--data" : "--hold-out", files[j])
+                          : fmt::format("--hold-out: \"{}\" is one of --data: it would test nothing\n", files[j]));
+    }
+}
+
 }  // namespace
 
 FitResult fit_model_to_data(const FitArguments& arguments) {
   const Method method = least_squares_method();
   if (arguments.data.empty() != arguments.match.empty() || (arguments.data.empty() && arguments.targets.empty()))
     throw UserError("fit: give --data with --match, or --target, or both\n");
+  require_given_once(arguments);
   const Loss loss = loss_of(arguments.loss);
   FreeModel model = read_free_model(arguments.model);
   FitProblem problem = read_problem(arguments, model);

@@ -80,15 +80,19 @@ void require_other_file(const std::filesystem::path& output, const std::vector<s
   }
 }
 
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+  const auto place = [](const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+  };
+  std::error_code problem;
+  return place(one) == place(other) || std::filesystem::equivalent(one, other, problem);
+}
+
 void require_written_apart(const std::vector<WrittenFile>& files) {
-  const auto place = [](const std::string& path) { return std::filesystem::absolute(path).lexically_normal(); };
   for (auto one = files.begin(); one != files.end(); ++one) {
     if (one->path.empty() || (is_special(one->path) && !is_standard_output(one->path))) continue;
     for (auto other = std::next(one); other != files.end(); ++other) {
-      std::error_code problem;
-      if (other->path.empty()) continue;
-      if (place(one->path) != place(other->path) && !std::filesystem::equivalent(one->path, other->path, problem))
-        continue;
+      if (other->path.empty() || !is_same_file(one->path, other->path)) continue;
       throw UserError(fmt::format("{}: {} and {} must be two files\n", other->path, one->option, other->option));
     }
   }

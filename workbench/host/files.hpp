@@ -18,6 +18,9 @@ std::string read_text(const std::filesystem::path& path, std::size_t most = read
 /// this; a long command calls it before its work. Empty names among `inputs` are ignored.
 void require_other_file(const std::filesystem::path& output, const std::vector<std::string>& inputs);
 
+/// Whether two paths lead to one file, which need not exist.
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other);
+
 /// One file that a command writes, and the option, or the words, that name it.
 struct WrittenFile {
   std::string option, path;

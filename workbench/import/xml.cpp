@@ -9,6 +9,8 @@
 #include <limits>
 #include <pugixml.hpp>
 
+#include "compiler/text/number.hpp"
+
 namespace mbgen::importing {
 namespace {
 
@@ -16,7 +18,6 @@ constexpr int kMaximumDepth = 256;
 constexpr std::size_t kMaximumElements = 2'000'000;
 constexpr std::size_t kMaximumBytes = std::size_t{64} << 20;
 constexpr std::size_t kLongestShownLine = 200;
-constexpr double kLargestNumber = 1e15;
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 

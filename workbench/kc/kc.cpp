@@ -232,6 +232,8 @@ KcReport kinematics_and_compliance(const Compilation& compilation, const Axle& a
     report.matrices = compliance_matrices(rig, start);
   }
   if (!with_loads) report.notes.emplace_back("nothing gives way between the wheels and the body: no curves of loads");
+  if (options.steer && rig.inputs[kSteer] < 0)
+    report.notes.emplace_back("the axle has no steering: --steer changes nothing");
   const std::vector<Sweep> sweeps = sweeps_of(rig, start, options, with_loads);
   const long all = static_cast<long>(sweeps.size()) * 2 * (options.points / 2);
   long done = 0;

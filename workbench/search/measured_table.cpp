@@ -11,6 +11,7 @@
 
 #include "compiler/expressions/unit_exponents.hpp"
 #include "compiler/text/characters.hpp"
+#include "compiler/text/number.hpp"
 #include "compiler/text/user_error.hpp"
 #include "workbench/host/files.hpp"
 
@@ -30,9 +31,11 @@ double number_of(const std::string& field, const MeasuredTable& table, const Col
   double value = 0;
   const char* first = field.data() + (field.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(first, field.data() + field.size(), value);
-  if (error == std::errc() && end == field.data() + field.size() && std::isfinite(value)) return value;
-  throw UserError(fmt::format("{}: {}: must be a number, or empty for none, found {}\n",
-                              table.place(table.lines.size() - 1), column.heading.name, in_quotes(field)));
+  const bool is_number = error == std::errc() && end == field.data() + field.size() && std::isfinite(value);
+  if (is_number && std::abs(value) <= kLargestNumber) return value;
+  throw UserError(fmt::format(
+      "{}: {}: {}\n", table.place(table.lines.size() - 1), column.heading.name,
+      is_number ? too_large(field) : fmt::format("must be a number, or empty for none, found {}", in_quotes(field))));
 }
 
 void read_measured_header(const std::string& line, MeasuredTable& table) {

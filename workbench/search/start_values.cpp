@@ -28,7 +28,8 @@ std::vector<Mode> oscillations(const FreeModel& model, Compilation& compilation,
 double value_of(const Measure& measure, const std::vector<Mode>& list, const std::vector<double>& outputs) {
   if (measure.of == Measure::Of::start) return outputs[static_cast<std::size_t>(measure.output)];
   if (static_cast<std::size_t>(measure.mode) > list.size())
-    throw UserError(fmt::format("{}: the model has {} oscillations\n", measure.name, list.size()));
+    throw UserError(
+        fmt::format("{}: the model has {} oscillation{}\n", measure.name, list.size(), list.size() == 1 ? "" : "s"));
   const Mode& mode = list[static_cast<std::size_t>(measure.mode) - 1];
   return measure.part == "frequency" ? mode.undamped_frequency() : mode.damping_ratio();
 }

@@ -188,7 +188,6 @@ Study read_study(const StudyArguments& arguments) {
 }
 
 bool is_kept_motion(const Study& study, const std::string& path) {
-  const auto place = [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal(); };
   if (study.arguments.keep.empty()) return false;
   const std::string name = std::filesystem::path(path).filename().string();
   const std::size_t first = name.find_first_of("123456789");
@@ -197,7 +196,7 @@ bool is_kept_motion(const Study& study, const std::string& path) {
   std::from_chars(name.data() + first, name.data() + name.size(), number);
   if (number < 1 || number > study.grid.size()) return false;
   const std::string kept = kept_file(study, number - 1);
-  return place(path) == place(kept) || place(path) == place(run_file(kept));
+  return is_same_file(path, kept) || is_same_file(path, run_file(kept));
 }
 
 std::string kept_file(const Study& study, long index) {

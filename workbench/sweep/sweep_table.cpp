@@ -141,8 +141,8 @@ std::string results_text(const Study& study, const CaseResults& results, const s
   }
   if (is_long) rows.insert(rows.begin() + 1 + kShownRows / 2, Row(rows.front().size(), "..."));
   const long warnings = warnings_of(results);
-  return aligned(rows) + fmt::format("\n{}: {} cases, {} failed, {}engine {}; table in {}\n{}", study.model.name,
-                                     results.size(), failures_of(results),
+  return aligned(rows) + fmt::format("\n{}: {} case{}, {} failed, {}engine {}; table in {}\n{}", study.model.name,
+                                     results.size(), results.size() == 1 ? "" : "s", failures_of(results),
                                      warnings > 0 ? fmt::format("{} with a warning, ", warnings) : "",
                                      study.choice.name, file, worst_text(study, results));
 }

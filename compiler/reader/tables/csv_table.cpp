@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "compiler/text/characters.hpp"
+#include "compiler/text/number.hpp"
 #include "compiler/text/read_text.hpp"
 
 namespace mbgen::reading {
@@ -70,9 +71,15 @@ std::optional<std::size_t> find_column(Reader& reader, const Value& table, std::
     return std::nullopt;
   }
   std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    names.push_back(name_of(header[i].text));
-    if (header[i].text == wanted || names.back() == wanted) return i;
+  std::vector<std::size_t> found;
+  for (const CsvField& field : header) {
+    names.push_back(name_of(field.text));
+    if (field.text == wanted || names.back() == wanted) found.push_back(names.size() - 1);
+  }
+  if (found.size() == 1) return found.front();
+  if (!found.empty()) {
+    report(reader, header[found[1]].place, fmt::format("column {} stands twice", in_quotes(wanted)));
+    return std::nullopt;
   }
   report(reader, *find(table, key), fmt::format("file has no column {}", in_quotes(wanted)),
          is_shown(reader, header[0].place) ? did_you_mean(wanted, names) : "");
