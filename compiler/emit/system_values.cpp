@@ -141,6 +141,12 @@ FrameRows later_inputs(const Model& model, const SolverNames& names, Scalar scal
   return rows;
 }
 
+/// For closures, and for positions by those of actuators, which an open chain has too; empty where nothing is closed.
+std::string closure_tolerance(const EmitContext& context, Scalar scalar) {
+  const bool is_used = context.layout.has_closure || (context.layout.maps_actuators && is_number(scalar));
+  return is_used ? number_text(context.model.solver.closure_tolerance, context.options.scalar) : "";
+}
+
 }  // namespace
 
 FrameValues system_member(const ShapedProgram& shaped, const std::string& type, const std::string& scope) {
@@ -182,7 +188,7 @@ FrameValues system_values(const EmitContext& context, const FrameRows& members, 
           {"actuated_directions", layout.actuated_directions},
           {"first_own_state", watches_states ? std::to_string(first_user_state(context.model)) : ""},
           {"number", name_of(plain(context.options.scalar))},
-          {"tolerance", number_text(context.model.solver.closure_tolerance, context.options.scalar)},
+          {"tolerance", closure_tolerance(context, scalar)},
           {"alone", is_number(scalar)},
           {"holds", layout.holds > 0 ? std::to_string(layout.holds) : ""},
           {"frozen_only", !layout.chooses_again},

@@ -55,6 +55,51 @@ TEST_F(InversePath, ForcesAlongAPathMoveTheModelAlongIt) {
   EXPECT_NEAR(motion.last("roll [rad]"), forces.last("ankle_rx [rad]"), 1e-5);
 }
 
+/// A bristle, a state and a sampled value change along the path as they do in the motion by the forces found.
+TEST_F(InversePath, StatesChangeAlongThePath) {
+  const std::string arm = kSource + "/tests/data/models/actuated_arm.json";
+  std::string path = "t,shoulder,elbow\n";
+  for (int i = 0; i <= 100; ++i) {
+    const double t = 0.01 * i;
+    path += fmt::format("{},{},{}\n", t, 0.5 * std::sin(2 * t), -0.1 * std::sin(4 * t));
+  }
+  write("path.csv", path);
+  for (const std::string& engine : {"generic", "generated"}) {
+    const std::string options = "' --engine " + engine + " --step 1e-3 --out ";
+    const Outcome run = mbgen("simulate '" + arm + options + "forces.csv --inverse --path path.csv");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Table forces = table("forces.csv");
+    std::string inputs = "t,first,second\n";
+    for (std::size_t row = 0; row < forces.rows.size(); ++row)
+      inputs += fmt::format("{},{},{}\n", forces.at(row, "t [s]"), forces.at(row, "actuator.first.force [N m]"),
+                            forces.at(row, "actuator.second.force [N m]"));
+    write("in.csv", inputs);
+    const Outcome forward =
+        mbgen("simulate '" + arm + options + "motion.csv --duration 1 --input-table in.csv --interpolation spline");
+    ASSERT_EQ(forward.exit_code, 0) << forward.err;
+    const Table motion = table("motion.csv");
+    // The spline of the forces rounds the jumps by which they answer the sampled value.
+    for (const char* column : {"tip [m]", "bend [rad]"})
+      for (const std::size_t row : {250u, 500u, 1000u})
+        EXPECT_NEAR(motion.at(row, column), forces.at(row, column), 1.5e-3) << engine << " " << column << " " << row;
+  }
+}
+
+/// Friction of an elastic law and of a contact, by their closed forms: both slide at their limit.
+TEST_F(InversePath, ElasticFrictionSlidesAtItsLimit) {
+  write("block.json", R"({ "mbgen": 1, "name": "block",
+    "bodies": { "ground": { "points": { "O": [0, 0, 0], "floor": [0, 0, -0.1] } },
+                "b": { "mass": 2, "inertia": [0.1, 0.1, 0.1], "points": { "O": [0, 0, 0], "p": [0, 0, -0.05] } } },
+    "joints": { "x": { "type": "prismatic", "from": "ground.O", "to": "b.O", "axis": "x" } },
+    "contacts": { "c": { "from": "b.p", "radius": 0.0501, "to": "ground.floor", "axis": "z", "stiffness": 1e6,
+                         "friction": 0.5 } },
+    "frictions": { "seal": { "joint": "x", "law": "elasto_plastic", "coulomb": 3, "stiffness": 1e4, "damping": 1 } },
+    "actuators": { "m": { "joint": "x" } },
+    "motions": { "x": { "joint": "x", "position": "0.005*t", "actuated_by": ["m"] } } })");
+  ASSERT_EQ(mbgen("simulate block.json --inverse --engine generic --duration 1 --out o.csv").exit_code, 0);
+  EXPECT_NEAR(table("o.csv").last("actuator.m.force [N]"), 0.5 * 1e6 * 1e-4 + 3, 1e-3);
+}
+
 TEST_F(InversePath, RefusesPathsThatAreNone) {
   const auto refused = [&](const std::string& path, const std::string& options, const std::string& text) {
     write("path.csv", path);

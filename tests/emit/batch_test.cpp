@@ -105,6 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"tests/data/models/three_wheeler.json", "three_wheeler", kGnu, 8, "-march=native"},
                     Case{"tests/data/models/states.json", "states", kClang, 4, "", true},
                     Case{"tests/data/models/pressed.json", "pressed", kClang, 4, "", true},
+                    Case{"tests/data/models/actuated_arm.json", "actuated_arm", kClang, 4, ""},
                     Case{"tests/data/models/hung_ball.json", "hung_ball", kClang, 4, "", true},
                     Case{"tests/data/models/all_elements.json", "all_elements", kGnu, 4, "-march=native"},
                     Case{"tests/data/models/all_elements.json", "all_elements", kClang, 4, "-march=native", true}),

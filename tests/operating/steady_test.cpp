@@ -111,6 +111,26 @@ TEST_F(CommandLine, SteadyMotionSaysWhatIsMissing) {
   EXPECT_NE(done.out.find(fmt::format("  {:<32}{:>16} N\n", "drive", 250)), std::string::npos) << done.out;
 }
 
+// At one position a spring's force is balanced; elsewhere it is another one.
+TEST_F(CommandLine, MotionsThatAreSteadyForAnInstantAreTold) {
+  write("slide.json", R"({ "mbgen": 1, "name": "slide", "gravity": [0, 0, 0], "inputs": { "F": { "unit": "N" } },
+    "bodies": { "ground": { "points": { "O": [0, 0, 0] } },
+                "m": { "mass": 2, "inertia": [1, 1, 1], "points": { "O": [0, 0, 0] } } },
+    "joints": { "x": { "type": "prismatic", "from": "ground.O", "to": "m.O", "axis": "x" } },
+    "joint_springs": { "k": { "joint": "x", "stiffness": 50, "damping": 3 } },
+    "joint_forces": { "F": { "joint": "x", "force": "F" } },
+    "initial": { "positions": { "x": 0.1 }, "velocities": { "x": 1 } } })");
+  const Outcome driven = mbgen("linearize slide.json --at steady --hold x=1 --solve F");
+  EXPECT_EQ(driven.exit_code, 0);
+  EXPECT_TRUE(
+      driven.err.starts_with("slide.json: note: the motion is steady at this position alone: the acceleration "
+                             "of x changes by 25 m/s^2 a second, so that no coordinate goes on at its rate\n"))
+      << driven.err;
+  EXPECT_EQ(mbgen("linearize slide.json --at steady --hold x=3").err,
+            "slide.json: no steady motion found: x goes on to accelerate at 7 m/s^2\n"
+            "  hint: the rate of x needs a drive: --solve NAME finds an input that drives or steers\n");
+}
+
 // The slider in its slot and a bob on it: rotations and translations each have their scale and sign.
 TEST_F(CommandLine, ShapesHaveSignsAndTwoScales) {
   write("crane.json", R"({ "mbgen": 1, "name": "crane", "gravity": [0, 0, -10],

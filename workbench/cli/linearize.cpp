@@ -321,7 +321,9 @@ int run(const LinearizeOptions& options) {
   const Compilation& compilation = found.compilation;
   const OperatingPoint& point = found.chosen.point;
   LinearSystem& system = found.system;
-  if (found.chosen.steady) print_message("{}", corners_note(compilation, *found.chosen.steady));
+  if (found.chosen.steady)
+    print_message("{}{}", instant_note(compilation, *found.chosen.steady),
+                  corners_note(compilation, *found.chosen.steady));
   const std::vector<std::string> places = neutral_coordinates(compilation.topology, system);
   if (found.chosen.steady) system = turning_with(*found.chosen.steady, std::move(system));
   const NamedModes modes = named_modes(options, found, system);

@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <limits>
+#include <utility>
 
+#include "compiler/model/auxiliary_states.hpp"
 #include "compiler/model/element_access.hpp"
 #include "compiler/text/user_error.hpp"
+#include "mbgen/sampling.hpp"
 #include "runtime/generic/generic.hpp"
 #include "workbench/describe/names.hpp"
 #include "workbench/host/files.hpp"
@@ -25,6 +29,10 @@ constexpr const char* kActuatorColumn = "actuator.";
 constexpr const char* kBeyond = "beyond_limit";
 /// Parts of the way from the start of the model to the start of a path.
 constexpr int kApproach = 64;
+/// Error of auxiliary states in a step along a path, of their magnitudes; shortest step, s.
+constexpr double kStateError = 1e-7, kShortestStep = 1e-10;
+/// Limits of the change of this step, and the part of the step that its error allows.
+constexpr double kLeastChange = 0.2, kMostChange = 5, kSafety = 0.9;
 
 std::vector<CoordinateTarget> targets_at(const std::vector<int>& coordinates, const std::vector<Course>& courses,
                                          double t) {
@@ -42,7 +50,10 @@ class PathFollower {
         engine_(engine),
         compilation_(compilation),
         inputs_(inputs),
-        poses_(compilation.model, compilation.topology, compilation.analysis) {}
+        poses_(compilation.model, compilation.topology, compilation.analysis) {
+    for (const AuxiliaryState& state : auxiliary_states(compilation.model)) magnitudes_.push_back(magnitude_of(state));
+    for (const SampledValue& value : compilation.model.sampled) periods_.push_back(value.period);
+  }
 
   /// Moves a state to the start of the path, part by part of the way.
   void approach(GenericState& state) {
@@ -59,31 +70,27 @@ class PathFollower {
       if (const Status status = poses_.assemble(state, targets); !status.ok())
         stop(describe(compilation_, status), state.t);
     }
+    if (!periods_.empty()) sample(state);
+  }
+
+  /// Moves a state along the path to an instant: its auxiliary states change at their rates in the motion of the path,
+  /// and sampled values are set at their instants.
+  void advance(GenericState& state, double t) {
+    if (magnitudes_.empty()) return;
+    while (t - state.t > same_instant(t)) {
+      const double next = next_instant(periods_.data(), static_cast<int>(periods_.size()), state.t);
+      integrate(state, std::min(t, next));
+      if (next <= t) sample(state);
+    }
   }
 
   /// Coordinates, all outputs, and how far forces are beyond their limits, at an instant; `state` belongs to an instant
   /// shortly before.
   std::vector<double> row_at(double t, GenericState& state) {
-    std::vector<double> given_inputs = inputs_.at(t);
-    poses_.set_inputs(given_inputs);
     state.t = t;
-    std::fill(state.zd.begin(), state.zd.end(), 0.0);
-    Status status = poses_.assemble(state, targets_at(path_.coordinates, path_.positions, t));
-    if (status.ok()) status = poses_.assemble_velocities(state, targets_at(path_.coordinates, path_.rates, t));
-    if (!status.ok()) stop(describe(compilation_, status), t);
-    std::vector<double> given(state.z.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < path_.coordinates.size(); ++i)
-      given[static_cast<std::size_t>(path_.coordinates[i])] = path_.accelerations[i].at(t);
-    const LoadedState at{state, std::vector<double>(state.z.size(), 0.0)};
-    engine_.set_inputs(given_inputs);
-    const InverseMotion motion = actuator_forces(engine_, compilation_, given_inputs, at, given);
-    if (!motion.ok()) stop(describe(compilation_, motion), t, hint_of(motion));
-    for (std::size_t i = 0; i < motion.force.size(); ++i)
-      if (const int input = compilation_.model.actuators[i].input; input >= 0)
-        given_inputs[static_cast<std::size_t>(input)] = motion.force[i];
-    engine_.set_inputs(given_inputs);
+    const auto [at, motion] = motion_at(state);
     GenericOutputs outputs;
-    status = engine_.outputs(at, motion.derivative, outputs);
+    const Status status = engine_.outputs(at, motion.derivative, outputs);
     if (!status.ok()) stop(describe(compilation_, status), t);
     const int side = poses_.side_of_actuators(state);
     if (side * side_ < 0) stop("actuators pass a singular position between the row before and the one", t);
@@ -97,6 +104,91 @@ class PathFollower {
   }
 
  private:
+  /// The state of the path at an instant, and its forces, which become inputs.
+  struct ForcedState {
+    LoadedState at;
+    InverseMotion motion;
+  };
+
+  /// Closes the loops of a state on the path at its time, and finds the forces.
+  ForcedState motion_at(GenericState& state) {
+    const double t = state.t;
+    std::vector<double> given_inputs = inputs_.at(t);
+    poses_.set_inputs(given_inputs);
+    std::fill(state.zd.begin(), state.zd.end(), 0.0);
+    Status status = poses_.assemble(state, targets_at(path_.coordinates, path_.positions, t));
+    if (status.ok()) status = poses_.assemble_velocities(state, targets_at(path_.coordinates, path_.rates, t));
+    if (!status.ok()) stop(describe(compilation_, status), t);
+    std::vector<double> given(state.z.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < path_.coordinates.size(); ++i)
+      given[static_cast<std::size_t>(path_.coordinates[i])] = path_.accelerations[i].at(t);
+    ForcedState forced{{state, std::vector<double>(state.z.size(), 0.0)}, {}};
+    engine_.set_inputs(given_inputs);
+    forced.motion = actuator_forces(engine_, compilation_, given_inputs, forced.at, given);
+    if (!forced.motion.ok()) stop(describe(compilation_, forced.motion), t, hint_of(forced.motion));
+    for (std::size_t i = 0; i < forced.motion.force.size(); ++i)
+      if (const int input = compilation_.model.actuators[i].input; input >= 0)
+        given_inputs[static_cast<std::size_t>(input)] = forced.motion.force[i];
+    engine_.set_inputs(given_inputs);
+    poses_.set_inputs(given_inputs);
+    return forced;
+  }
+
+  /// Sets the sampled values that are due.
+  void sample(GenericState& state) {
+    motion_at(state);
+    bool any = false;
+    if (const Status status = poses_.sample(state, 0, any); !status.ok()) stop(describe(compilation_, status), state.t);
+  }
+
+  /// Rates of the auxiliary states on the path, `step` seconds after a state, whose own have changed by so much.
+  std::vector<double> rates(const GenericState& from, double step, const std::vector<double>& change) {
+    GenericState state = from;
+    state.t += step;
+    for (std::size_t i = 0; i < change.size(); ++i) state.x[i] += change[i];
+    const ForcedState forced = motion_at(state);
+    GenericDerivative derivative;
+    if (const Status status = poses_.accelerations(state, forced.at.tau, derivative); !status.ok())
+      stop(describe(compilation_, status), state.t);
+    derivative.xd.resize(state.x.size(), 0.0);
+    return derivative.xd;
+  }
+
+  /// Steps of variable length to an instant. Source: P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge-Kutta formulas",
+  /// Appl. Math. Lett. 2(4), 1989.
+  void integrate(GenericState& state, double end) {
+    double step = end - state.t;
+    const auto sum = [](double h, std::initializer_list<std::pair<double, const std::vector<double>*>> terms) {
+      std::vector<double> result(terms.begin()->second->size(), 0.0);
+      for (const auto& [weight, slope] : terms)
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] += h * weight * (*slope)[i];
+      return result;
+    };
+    for (bool is_last = false; !is_last;) {
+      const double left = end - state.t;
+      is_last = step >= left;
+      const double h = is_last ? left : step;
+      const std::vector<double> k1 = rates(state, 0, {});
+      const std::vector<double> k2 = rates(state, h / 2, sum(h, {{1.0 / 2, &k1}}));
+      const std::vector<double> k3 = rates(state, 3 * h / 4, sum(h, {{3.0 / 4, &k2}}));
+      const std::vector<double> change = sum(h, {{2.0 / 9, &k1}, {1.0 / 3, &k2}, {4.0 / 9, &k3}});
+      const std::vector<double> k4 = rates(state, h, change);
+      const std::vector<double> error = sum(h, {{-5.0 / 72, &k1}, {1.0 / 12, &k2}, {1.0 / 9, &k3}, {-1.0 / 8, &k4}});
+      double share = 0;
+      for (std::size_t i = 0; i < error.size(); ++i)
+        share = std::max(share, std::abs(error[i]) / (kStateError * std::max(magnitudes_[i], std::abs(state.x[i]))));
+      if (share > 1 && h < kShortestStep) stop("auxiliary states change too fast", state.t);
+      step = h * std::clamp(kSafety * std::pow(std::max(share, 1e-12), -1.0 / 3), kLeastChange, kMostChange);
+      if (share > 1) {
+        is_last = false;
+        continue;
+      }
+      for (std::size_t i = 0; i < change.size(); ++i) state.x[i] += change[i];
+      state.t = is_last ? end : state.t + h;
+    }
+    motion_at(state);
+  }
+
   [[noreturn]] void stop(const std::string& what, double t, const std::string& hint = "") const {
     throw UserError(fmt::format("{}: {} at t = {:.10g} s\n{}", path_.file.empty() ? "simulate --inverse" : path_.file,
                                 what, t, hint.empty() ? "" : fmt::format("  hint: {}\n", hint)));
@@ -107,7 +199,8 @@ class PathFollower {
   const Compilation& compilation_;
   const InputsOverTime& inputs_;
   GenericSolver poses_;
-  int side_ = 0;  ///< of the row before, see GenericSolver::side_of_actuators
+  std::vector<double> magnitudes_, periods_;  ///< of the auxiliary states, and of the sampled values, s
+  int side_ = 0;                              ///< of the row before, see GenericSolver::side_of_actuators
 };
 
 }  // namespace
@@ -146,6 +239,7 @@ Results forces_along(const PathOfCoordinates& path, const Engine& engine, const 
   const long steps = std::max(1L, std::lround(wanted));
   for (long i = 0; i <= steps; ++i) {
     const double t = path.start + length * static_cast<double>(i) / static_cast<double>(steps);
+    follower.advance(start, t);
     const std::vector<double> row = follower.row_at(t, start);
     if (i % rows.every != 0 && i != steps) continue;
     table.columns[0].values.push_back(t);

@@ -55,11 +55,13 @@ std::size_t chosen_row(const Results& results, const StateArguments& arguments) 
     throw UserError(
         fmt::format("--row: {} has rows 1 to {}, found {}\n", arguments.result, time.size(), arguments.row));
   }
-  const double slack = time.size() > 1 ? 0.5 * (time.back() - time.front()) / static_cast<double>(time.size() - 1) : 0;
+  constexpr double kSameTime = 1e-3;  // of the distance of rows
+  const double slack =
+      time.size() > 1 ? kSameTime * (time.back() - time.front()) / static_cast<double>(time.size() - 1) : 0;
   const auto nearest = std::min_element(time.begin(), time.end(), [&](double a, double b) {
     return std::abs(a - *arguments.time) < std::abs(b - *arguments.time);
   });
-  if (std::abs(*nearest - *arguments.time) <= 1.001 * slack) return static_cast<std::size_t>(nearest - time.begin());
+  if (std::abs(*nearest - *arguments.time) <= slack) return static_cast<std::size_t>(nearest - time.begin());
   throw UserError(fmt::format("--time: {} has times from {:g} to {:g} s, the nearest to {:g} s is {:g} s\n",
                               arguments.result, time.front(), time.back(), *arguments.time, *nearest));
 }

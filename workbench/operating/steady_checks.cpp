@@ -93,6 +93,38 @@ void require_holding(const Model& model, const OperatingPoint& point, const std:
   }
 }
 
+std::string changes_along(const Compilation& compilation, const LinearSystem& system, const OperatingPoint& point,
+                          double turning, const int (&across)[2]) {
+  constexpr double kChanges = 1e-5;  // 1/s^2: change of accelerations over the fastest rate
+  const std::vector<int> independent = free_coordinates(compilation.topology, compilation.analysis);
+  const Eigen::Index positions = position_count(system);
+  const auto rate_of = [&](int coordinate) { return point.zd[static_cast<std::size_t>(coordinate)]; };
+  const auto& [first, second] = across;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(independent.size()));
+  double fastest = 0;
+  for (Eigen::Index j = 0; j < system.A.cols(); ++j) {
+    const LinearState& state = system.states[static_cast<std::size_t>(j)];
+    const bool is_velocity = state.kind == LinearState::Kind::velocity;
+    double rate = 0;
+    if (state.kind == LinearState::Kind::position) rate = rate_of(state.index);
+    fastest = std::max(fastest, std::abs(rate));
+    if (is_velocity && state.index == first) rate = -turning * rate_of(second);
+    if (is_velocity && state.index == second) rate = turning * rate_of(first);
+    change += rate * system.A.col(j).segment(positions, change.size());
+  }
+  // The centripetal accelerations turn with the motion.
+  for (Eigen::Index row = 0; row < change.size(); ++row) {
+    const int coordinate = independent[static_cast<std::size_t>(row)];
+    if (coordinate == first || coordinate == second) change[row] += turning * turning * rate_of(coordinate);
+  }
+  Eigen::Index place = 0;
+  if (change.size() == 0 || !(change.cwiseAbs().maxCoeff(&place) > kChanges * fastest)) return "";
+  const TreeBody& body =
+      compilation.topology.bodies[static_cast<std::size_t>(independent[static_cast<std::size_t>(place)])];
+  return fmt::format("the acceleration of {} changes by {:.3g} {}/s^2 a second", body.coordinate,
+                     std::abs(change[place]), unit_of(body.kind));
+}
+
 std::vector<std::string> free_directions(const Eigen::MatrixXd& derivatives, const std::vector<SteadyChoice>& choices) {
   if (choices.empty()) return {};
   const Eigen::VectorXd size = column_sizes(derivatives);

@@ -53,4 +53,9 @@ struct SteadyChoice {
 /// before inputs.
 std::vector<std::string> free_directions(const Eigen::MatrixXd& derivatives, const std::vector<SteadyChoice>& choices);
 
+/// The acceleration that arises along a motion where forces depend on the coordinates that move, in words; empty for a
+/// steady motion. system: at the point, in the fixed frame; turning, across: see SteadyMotion.
+std::string changes_along(const Compilation& compilation, const LinearSystem& system, const OperatingPoint& point,
+                          double turning, const int (&across)[2]);
+
 }  // namespace mbgen

@@ -100,9 +100,8 @@ class Search {
       if (rate) motion_.point.zd[static_cast<std::size_t>(coordinate)] = *rate;
       held_.push_back(coordinate);
     }
-    for (const int i : independent_) {
+    for (const int i : independent_)
       if (is_held(i) || std::abs(motion_.point.zd[i]) > kMoves) travelling_.push_back(i);
-    }
     if (travelling_.empty()) {
       throw UserError(
           fmt::format("{}: nothing moves at the start; give a rate, --hold coordinate=rate, or use --at "
@@ -273,6 +272,7 @@ class Search {
   void change(const LinearSystem& system, const Eigen::VectorXd& left) {
     const std::vector<Eigen::Index> unknown = unknown_states(system);
     const Eigen::MatrixXd matrix = derivatives(system, unknown);
+    if (matrix.cols() == 0) fail(system, left);
     const ScaledSystem scaled_system(matrix, scales_rows_);
     const Eigen::VectorXd scaled = scaled_system.correction(left);
     const Eigen::VectorXd by = -scaled_system.unknowns(scaled);
@@ -344,6 +344,7 @@ class Search {
       choices.push_back({unknown.size() + k, c_.model.inputs[static_cast<std::size_t>(inputs_[k])].name, false});
     const Eigen::MatrixXd matrix = derivatives(system, unknown);
     motion_.free_directions = free_directions(matrix, choices);
+    motion_.changes = changes_along(c_, system, motion_.point, motion_.turning, motion_.across);
     if (!goals_.empty()) motion_.by_goals = by_goals(system, unknown, matrix);
     return motion_;
   }
@@ -366,9 +367,8 @@ class Search {
 
   std::string hint() const {
     const std::string leader = c_.topology.bodies[leader_].coordinate;
-    if (c_.model.inputs.empty() || !inputs_.empty()) {
+    if (c_.model.inputs.empty() || !inputs_.empty())
       return fmt::format("the rate of {} needs a drive against drag and rolling resistance", leader);
-    }
     return fmt::format("the rate of {} needs a drive: --solve NAME finds an input that drives or steers", leader);
   }
 

@@ -19,6 +19,7 @@ struct SteadyMotion {
   int across[2] = {-1, -1};  ///< tree coordinates of the rotating translations; -1 without rotation
   double largest = 0;        ///< remaining acceleration, rad/s^2 or m/s^2
   std::vector<std::string> free_directions = {};  ///< undetermined directions of rates and inputs, in words
+  std::string changes = {};       ///< the acceleration that arises along the motion, in words; empty if it is steady
   Eigen::MatrixXd by_goals = {};  ///< change of the states of the linear system, then of all inputs, over each goal
 };
 
@@ -34,6 +35,9 @@ SteadyMotion steady_motion(const Compilation& compilation, const OperatingPoint&
 
 /// A note if several motions have the prescribed rates; none otherwise.
 std::string free_directions_note(const Compilation& compilation, const SteadyMotion& steady);
+
+/// A note if accelerations arise along the motion; none otherwise.
+std::string instant_note(const Compilation& compilation, const SteadyMotion& steady);
 
 /// A note if forces are at corners of their laws, as dampers with two slopes whose ends are at rest to each other:
 /// their derivatives are then of the side that rounding has. None otherwise.

@@ -31,6 +31,7 @@ std::string free_directions_note(const Compilation& compilation, const SteadyMot
 
 std::string corners_note(const Compilation& compilation, const SteadyMotion& steady) {
   constexpr double kStill = 1e-9, kAside = 1e-9, kCorner = 1e-4;  // rad/s or m/s, likewise; of the largest derivative
+  constexpr double kSmooth = 1e-6;  // 1/s or 1/s^2: changes of derivatives that smooth laws have over these sides
   GenericSolver solver(compilation.model, compilation.topology, compilation.analysis);
   solver.set_inputs(steady.point.inputs);
   std::vector<Eigen::MatrixXd> sides;
@@ -51,12 +52,21 @@ std::string corners_note(const Compilation& compilation, const SteadyMotion& ste
   const Eigen::Index velocities = sides[0].rows() / 2;  // rows of rates of velocities and states
   const Eigen::MatrixXd apart = (sides[1] - sides[0]).bottomRows(velocities);
   const Eigen::VectorXd largest = sides[0].bottomRows(velocities).cwiseAbs().rowwise().maxCoeff();
-  const bool is_at_corner = (apart.cwiseAbs().rowwise().maxCoeff().array() > kCorner * largest.array()).any();
+  const Eigen::VectorXd allowed = (kCorner * largest).cwiseMax(kSmooth);
+  const bool is_at_corner = (apart.cwiseAbs().rowwise().maxCoeff().array() > allowed.array()).any();
   if (!is_at_corner) return "";
   return fmt::format(
       "{}: note: parts at rest are at corners of their force laws, as dampers of two slopes: modes and gains "
       "take the side that rounding has\n  hint: give these laws one slope about rest\n",
       compilation.model.file);
+}
+
+std::string instant_note(const Compilation& compilation, const SteadyMotion& steady) {
+  if (steady.changes.empty()) return "";
+  return fmt::format(
+      "{}: note: the motion is steady at this position alone: {}, so that no coordinate goes on at its rate\n"
+      "  hint: modes and gains are those at this instant; simulate the motion, or choose another coordinate to move\n",
+      compilation.model.file, steady.changes);
 }
 
 std::string steady_text(const Compilation& compilation, const SteadyMotion& steady, const SteadyRequest& request) {
