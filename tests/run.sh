@@ -14,7 +14,8 @@ cd "$(dirname "$0")/.."
 installation=$!
 # gold, of binutils, links in half the time. The two longest rooms are compiled meanwhile; tests look for the solvers of
 # others, which are there later.
-cmake --preset release -DMBGEN_TESTS=OFF -DMBGEN_BENCH=OFF -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold
+cmake --preset release -DMBGEN_TESTS=OFF -DMBGEN_BENCH=OFF -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=gold \
+  -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
 cmake --build --preset release --target mbgen_generic mbgen_judges
 wait "$installation"
 cmake --preset release -DMBGEN_TESTS=ON

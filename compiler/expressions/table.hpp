@@ -21,9 +21,9 @@ struct TableData {
 struct Table {
   enum class Interpolation { linear, monotone_cubic, spline };
   Interpolation interpolation = Interpolation::linear;
-  std::vector<double> x, y;    ///< x strictly increasing, at least two points
-  bool periodic = false;       ///< the curve goes on as it came, each period higher by the last y less the first
-  std::vector<double> slopes;  ///< at the points, see slopes_of; empty where linear
+  std::vector<double> x, y;         ///< x strictly increasing, at least two points
+  bool periodic = false;            ///< the curve goes on as it came, each period higher by the last y less the first
+  std::vector<double> slopes = {};  ///< at the points, see slopes_of; empty where linear
   std::optional<TableData> data = std::nullopt;  ///< of a table of many points
 };
 

@@ -186,7 +186,8 @@ TEST_F(Driven, TablesThatCannotBeUsedAreRefusedByLine) {
       {"t,torque\n", "table.csv: the table has no rows\n"},
       {"time,torque\n0,1\n", "table.csv:1: the first column must be \"t\", found \"time\"\n"},
       {"t [s];torque\n0;1\n",
-       "table.csv:1: the first column must be \"t\", found \"t [s];torque\"; commas separate fields\n"},
+       "table.csv:1: fields are separated by commas, found semicolons\n"
+       "  hint: write the table with commas between fields, and points in numbers\n"},
       {"t [ms],torque\n0,1\n", "table.csv:1: t is in \"s\", found \"ms\"\n"},
       {"t\n0\n", "table.csv:1: there is no column of an input\n"},
       {"t,wind\n0,1\n", "table.csv:1: the model has no input \"wind\"; its inputs: way, speed, acceleration, torque\n"},

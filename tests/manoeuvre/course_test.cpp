@@ -87,7 +87,7 @@ TEST(Tracks, FaultsOfTheTableHaveTheirLine) {
   EXPECT_EQ(read_track("y,x,speed [m/s]\r\n1,2,3\r\n2,2,3\r\n3,2,3\r\n4,2,3\r\n", "t.csv").speeds.size(), 4u);
   EXPECT_EQ(error_of("x [m],z [m]\n0,0\n"), "t.csv:1: the columns x and y are missing");
   EXPECT_EQ(error_of("x [km],y [m]\n0,0\n"), "t.csv:1: column \"x [km]\" must have the unit m");
-  EXPECT_EQ(error_of("x,y\n0,0\n1\n"), "t.csv:3: fields must be 2 as in the header, got 1");
+  EXPECT_EQ(error_of("x,y\n0,0\n1\n"), "t.csv:3: must have 2 fields like the header, found 1");
   EXPECT_EQ(error_of("x,y\n0,0\n0,0\n"), "t.csv:3: the point is the one before");
   EXPECT_EQ(error_of("x,y,speed\n0,0,0\n"), "t.csv:2: speed must be above 0, got 0");
   EXPECT_EQ(error_of("x,y\n0,0\n1,0\n"), "t.csv:4: a track needs at least 4 points, got 2");

@@ -19,9 +19,10 @@ struct BeamBending {
 
 struct BeamFrequencies {
   const Beam* beam = nullptr;
-  double length = 0, mass = 0;       ///< m, kg
-  std::string ends;                  ///< "welded-free"
-  std::vector<BeamBending> bending;  ///< about y and z; empty where there is no closed form: bends, supports between
+  double length = 0, mass = 0;  ///< m, kg
+  std::string ends = {};        ///< "welded-free"
+  std::vector<BeamBending> bending =
+      {};  ///< about y and z; empty where there is no closed form: bends, supports between
 };
 
 /// Of every beam, by itself: supports on bodies at rest, without loads at its points. Source of the closed

@@ -37,10 +37,10 @@ struct Swing {
 /// A rigid unit of the vehicle.
 struct Unit {
   int body = -1;
-  std::string prefix;  ///< of its motions: "" or "trailer "
-  double mass = 0;     ///< kg, of all its bodies
-  Vector3d centre;     ///< m, of mass
-  Matrix3d inertia;    ///< kg m^2 about it, global axes
+  std::string prefix = {};  ///< of its motions: "" or "trailer "
+  double mass = 0;          ///< kg, of all its bodies
+  Vector3d centre = {};     ///< m, of mass
+  Matrix3d inertia = {};    ///< kg m^2 about it, global axes
 };
 
 class ModeParts {

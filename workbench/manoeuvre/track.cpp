@@ -20,21 +20,20 @@ constexpr double kTrackSpacing = 0.25;  // m, of the path's points
 constexpr int kPieces = 64;             // of a chord, for the length of its arc
 constexpr std::size_t kAround = 24;     // points over which a spline forgets its ends: 0.268^24 is 2e-14
 
-[[noreturn]] void fail(const std::string& file, std::size_t line, const std::string& cause) {
+[[noreturn]] void fail(const CsvLines& line, const std::string& cause) {
   throw UserError(
-      fmt::format("{}:{}: {}\n  hint: a track is a table with the columns x [m], y [m] and perhaps speed [m/s], "
+      fmt::format("{}: {}\n  hint: a track is a table with the columns x [m], y [m] and perhaps speed [m/s], "
                   "one point a line\n",
-                  file, line, cause));
+                  line.place(), cause));
 }
 
 /// Place of a column in the header; -1: missing.
-int column_of(const std::vector<std::string>& header, std::string_view name, std::string_view unit,
-              const std::string& file) {
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    const std::string& heading = header[i];
+int column_of(const CsvLines& header, std::string_view name, std::string_view unit) {
+  for (std::size_t i = 0; i < header.fields().size(); ++i) {
+    const std::string& heading = header.fields()[i];
     if (heading == name || heading == fmt::format("{} [{}]", name, unit)) return static_cast<int>(i);
     if (heading.starts_with(fmt::format("{} [", name)))
-      fail(file, 1, fmt::format("column \"{}\" must have the unit {}", heading, unit));
+      fail(header, fmt::format("column \"{}\" must have the unit {}", heading, unit));
   }
   return -1;
 }
@@ -156,38 +155,28 @@ void repeat(std::vector<PathPoint>& points, int laps) {
 
 TrackPoints read_track(std::string_view text, const std::string& file) {
   TrackPoints points;
-  std::vector<std::string> header;
   int columns[3] = {-1, -1, -1};
-  std::size_t line_number = 0;
-  for (const std::string& line : split_at(text, '\n')) {
-    ++line_number;
-    const std::string_view row = std::string_view(line).substr(0, line.find_last_not_of(" \r") + 1);
-    if (row.empty()) continue;
-    const std::vector<std::string> fields = csv_fields(row);
-    if (header.empty()) {
-      header = fields;
-      columns[0] = column_of(header, "x", "m", file);
-      columns[1] = column_of(header, "y", "m", file);
-      columns[2] = column_of(header, "speed", "m/s", file);
-      if (columns[0] < 0 || columns[1] < 0) fail(file, line_number, "the columns x and y are missing");
+  CsvLines line(text, file);
+  while (line.next()) {
+    if (line.is_header()) {
+      columns[0] = column_of(line, "x", "m");
+      columns[1] = column_of(line, "y", "m");
+      columns[2] = column_of(line, "speed", "m/s");
+      if (columns[0] < 0 || columns[1] < 0) fail(line, "the columns x and y are missing");
       continue;
     }
-    if (fields.size() != header.size())
-      fail(file, line_number, fmt::format("fields must be {} as in the header, got {}", header.size(), fields.size()));
     double values[3] = {0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k)
-      if (columns[k] >= 0)
-        values[k] = parse_number(fields[static_cast<std::size_t>(columns[k])], fmt::format("{}:{}", file, line_number));
+      if (columns[k] >= 0) values[k] = parse_number(line.fields()[static_cast<std::size_t>(columns[k])], line.place());
     if (!points.x.empty() && points.x.back() == values[0] && points.y.back() == values[1])
-      fail(file, line_number, "the point is the one before");
+      fail(line, "the point is the one before");
     points.x.push_back(values[0]);
     points.y.push_back(values[1]);
     if (columns[2] < 0) continue;
-    if (!(values[2] > 0)) fail(file, line_number, fmt::format("speed must be above 0, got {:g}", values[2]));
+    if (!(values[2] > 0)) fail(line, fmt::format("speed must be above 0, got {:g}", values[2]));
     points.speeds.push_back(values[2]);
   }
-  if (points.x.size() < 4)
-    fail(file, line_number, fmt::format("a track needs at least 4 points, got {}", points.x.size()));
+  if (points.x.size() < 4) fail(line, fmt::format("a track needs at least 4 points, got {}", points.x.size()));
   return points;
 }
 

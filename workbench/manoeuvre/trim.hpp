@@ -12,9 +12,9 @@ namespace mbgen {
 
 /// A bend is asked by its lateral acceleration or its radius; without both the vehicle drives straight on.
 struct TrimRequest {
-  double speed = 0;                            ///< m/s, of the reference point along its path
-  std::optional<double> lateral_acceleration;  ///< m/s^2, to the left
-  std::optional<double> radius;                ///< m, of the path of the reference point, positive to the left
+  double speed = 0;                                 ///< m/s, of the reference point along its path
+  std::optional<double> lateral_acceleration = {};  ///< m/s^2, to the left
+  std::optional<double> radius = {};                ///< m, of the path of the reference point, positive to the left
 };
 
 /// Changes along the steady motions of one speed. Sources: ISO 4138; ISO 8855.
@@ -31,10 +31,10 @@ struct Trim {
   LinearSystem system;                                       ///< there, not yet in the rotating frame
   double speed = 0, yaw_rate = 0, lateral_acceleration = 0;  ///< m/s, rad/s, m/s^2 of the reference point
   double steer = 0;                                          ///< rad, at the input
-  std::optional<double> drive;                               ///< N m, where the vehicle has this input
+  std::optional<double> drive = {};                          ///< N m, where the vehicle has this input
   double sideslip = 0, roll = 0, pitch = 0;                  ///< rad; sideslip from the heading to the path
-  std::vector<double> loads;                                 ///< N, per tyre
-  std::optional<SteeringGains> gains;                        ///< none on a grade: bends are not steady there
+  std::vector<double> loads = {};                            ///< N, per tyre
+  std::optional<SteeringGains> gains = {};                   ///< none on a grade: bends are not steady there
 
   /// m, positive to the left; infinite straight on.
   double radius() const { return speed / yaw_rate; }

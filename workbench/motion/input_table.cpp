@@ -15,31 +15,25 @@
 namespace mbgen {
 namespace {
 
-/// A line of the file, for messages.
-struct Line {
-  const std::string& path;
-  int number = 0;
-  std::string place() const { return fmt::format("{}:{}", path, number); }
-  [[noreturn]] void fail(const std::string& message) const {
-    throw UserError(fmt::format("{}: {}\n", place(), message));
-  }
-};
-
-void check_unit(const Line& line, const Heading& heading, const std::string& unit) {
-  const std::string expected = unit_or_one(unit);
-  if (heading.unit.empty() || heading.unit == expected) return;
-  line.fail(fmt::format("{} is in \"{}\", found \"{}\"", heading.name, expected, heading.unit));
+[[noreturn]] void fail(const CsvLines& line, const std::string& message) {
+  throw UserError(fmt::format("{}: {}\n", line.place(), message));
 }
 
-int find_input(const Line& line, const Model& model, const std::string& name) {
+void check_unit(const CsvLines& line, const Heading& heading, const std::string& unit) {
+  const std::string expected = unit_or_one(unit);
+  if (heading.unit.empty() || heading.unit == expected) return;
+  fail(line, fmt::format("{} is in \"{}\", found \"{}\"", heading.name, expected, heading.unit));
+}
+
+int find_input(const CsvLines& line, const Model& model, const std::string& name) {
   std::vector<std::string> names;
   for (const Input& input : model.inputs) names.push_back(input.name);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<int>(found - names.begin());
   const std::string hint = did_you_mean(name, {names.begin(), names.end()});
-  line.fail(fmt::format("the model has no input \"{}\"; its inputs: {}{}", name,
-                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
-                        hint.starts_with("did") ? "; " + hint : ""));
+  fail(line, fmt::format("the model has no input \"{}\"; its inputs: {}{}", name,
+                         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                         hint.starts_with("did") ? "; " + hint : ""));
 }
 
 /// The actuator of a column actuator.NAME.force, "" for others.
@@ -55,17 +49,15 @@ bool holds_forces(const std::vector<std::string>& fields) {
                              [](const std::string& field) { return !actuator_of(heading_of(field).name).empty(); });
 }
 
-void read_header(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {
-  table.path = line.path;
+void read_header(const CsvLines& line, const Model& model, InputTable& table) {
+  const std::vector<std::string>& fields = line.fields();
   table.header = line.place();
-  table.width = fields.size();
   const Heading time = heading_of(fields[0]);
   if (time.name != "t") {
-    line.fail(fmt::format("the first column must be \"t\", found {}{}", in_quotes(time.name),
-                          time.name.find(';') == std::string::npos ? "" : "; commas separate fields"));
+    fail(line, fmt::format("the first column must be \"t\", found {}", in_quotes(time.name)));
   }
   check_unit(line, time, "s");
-  if (fields.size() == 1) line.fail("there is no column of an input");
+  if (fields.size() == 1) fail(line, "there is no column of an input");
   const bool of_forces = holds_forces(fields);
   for (std::size_t c = 1; c < fields.size(); ++c) {
     Heading heading = heading_of(fields[c]);
@@ -75,23 +67,21 @@ void read_header(const Line& line, const std::vector<std::string>& fields, const
     check_unit(line, heading, model.inputs[input].unit);
     const auto is_same = [input](const InputColumn& column) { return column.input == input; };
     if (std::any_of(table.columns.begin(), table.columns.end(), is_same)) {
-      line.fail(fmt::format("column \"{}\" stands twice", heading.name));
+      fail(line, fmt::format("column \"{}\" stands twice", heading.name));
     }
     table.columns.push_back({input, {}});
     table.fields.push_back(c);
   }
 }
 
-void read_row(const Line& line, const std::vector<std::string>& fields, const Model& model, InputTable& table) {
-  if (fields.size() != table.width) {
-    line.fail(fmt::format("must have {} fields like the header, found {}", table.width, fields.size()));
-  }
+void read_row(const CsvLines& line, const Model& model, InputTable& table) {
+  const std::vector<std::string>& fields = line.fields();
   const double t = parse_number(fields[0], line.place() + ": t");
   if (!table.t.empty() && !(t > table.t.back())) {
-    line.fail(fmt::format("t must increase, found {} after {}", t, table.t.back()));
+    fail(line, fmt::format("t must increase, found {} after {}", t, table.t.back()));
   }
   table.t.push_back(t);
-  table.lines.push_back(line.number);
+  table.lines.push_back(line.number());
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     InputColumn& column = table.columns[c];
     column.values.push_back(
@@ -114,23 +104,12 @@ InputTable read_input_table(const std::string& path, const Model& model) {
 }
 
 InputTable parse_input_table(const std::string& text, const std::string& path, const Model& model) {
-  std::string_view rest = text;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest.remove_prefix(kByteOrderMark.size());
   if (std::optional<Diagnostic> fault = no_text(text, path, "inputs over time are a CSV table: t [s],name [unit]"))
     throw UserError(Diagnostics{*std::move(fault)});
   InputTable table;
-  for (Line line{path, 1}; !rest.empty(); ++line.number) {
-    const std::size_t length = std::min(rest.find('\n'), rest.size());
-    const std::string_view content = rest.substr(0, length);
-    rest.remove_prefix(std::min(length + 1, rest.size()));
-    if (without_blanks(content).empty()) continue;
-    if (table.columns.empty()) {
-      read_header(line, csv_fields(content), model, table);
-    } else {
-      read_row(line, csv_fields(content), model, table);
-    }
-  }
+  table.path = path;
+  for (CsvLines line(text, path); line.next();)
+    line.is_header() ? read_header(line, model, table) : read_row(line, model, table);
   if (table.t.empty()) throw UserError(fmt::format("{}: the table has no rows\n", path));
   return table;
 }

@@ -20,7 +20,6 @@ struct InputTable {
   std::vector<int> lines;  ///< of the file, per row
   std::vector<InputColumn> columns;
   std::vector<std::size_t> fields;  ///< of a row, per column
-  std::size_t width = 0;            ///< fields of a row
 };
 
 /// The unit, "1" for none.

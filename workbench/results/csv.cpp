@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "compiler/text/characters.hpp"
+#include "compiler/text/user_error.hpp"
 #include "workbench/results/faults.hpp"
 
 namespace mbgen {
@@ -97,6 +98,28 @@ std::vector<std::string> csv_fields(std::string_view line) {
   for (std::string& field : fields) field = without_blanks(field);
   return fields;
 }
+
+bool CsvLines::next() {
+  std::string_view line;
+  do {
+    if (rest_.empty()) return false;
+    line = take_line(rest_);
+    ++number_;
+  } while (without_blanks(line).empty());
+  const std::size_t width = fields_.size();
+  fields_ = csv_fields(line);
+  ++lines_;
+  if (is_header() && fields_.size() == 1 && line.find(';') != std::string_view::npos)
+    throw UserError(fmt::format(
+        "{}: fields are separated by commas, found semicolons\n  hint: write the table with commas between fields, "
+        "and points in numbers\n",
+        place()));
+  if (!is_header() && fields_.size() != width)
+    throw UserError(fmt::format("{}: must have {} fields like the header, found {}\n", place(), width, fields_.size()));
+  return true;
+}
+
+std::string CsvLines::place() const { return fmt::format("{}:{}", file_, number_); }
 
 Result<Results> read_csv(std::string_view text, const std::string& file) {
   Results results;

@@ -26,7 +26,7 @@ bool is_gap_word(std::string_view field) {
   return small.empty() || small == "nan" || small == "-nan" || small == "na" || small == "n/a";
 }
 
-double number_of(const std::string& field, const MeasuredTable& table, const Column& column) {
+double number_of(const std::string& field, const CsvLines& line, const Column& column) {
   if (is_gap_word(field)) return kGap;
   double value = 0;
   const char* first = field.data() + (field.starts_with('+') ? 1 : 0);
@@ -34,45 +34,29 @@ double number_of(const std::string& field, const MeasuredTable& table, const Col
   const bool is_number = error == std::errc() && end == field.data() + field.size() && std::isfinite(value);
   if (is_number && std::abs(value) <= kLargestNumber) return value;
   throw UserError(fmt::format(
-      "{}: {}: {}\n", table.place(table.lines.size() - 1), column.heading.name,
+      "{}: {}: {}\n", line.place(), column.heading.name,
       is_number ? too_large(field) : fmt::format("must be a number, or empty for none, found {}", in_quotes(field))));
 }
 
-void read_measured_header(const std::string& line, MeasuredTable& table) {
-  for (const std::string& field : csv_fields(line)) table.columns.push_back({heading_of(field), {}});
-  if (table.columns.size() == 1 && line.find(';') != std::string::npos)
-    throw UserError(
-        fmt::format("{}: fields are separated by commas, found semicolons\n  hint: write the table with commas "
-                    "between fields, and points in numbers\n",
-                    table.header()));
+void read_measured_header(const CsvLines& line, MeasuredTable& table) {
+  for (const std::string& field : line.fields()) table.columns.push_back({heading_of(field), {}});
   std::set<std::string> names;
   for (const Column& column : table.columns)
     if (!names.insert(column.heading.name).second)
       throw UserError(fmt::format("{}: column {} stands twice\n", table.header(), in_quotes(column.heading.name)));
 }
 
-void read_measured_row(const std::string& line, MeasuredTable& table) {
-  const std::vector<std::string> fields = csv_fields(line);
-  if (fields.size() != table.columns.size())
-    throw UserError(fmt::format("{}: must have {} fields like the header, found {}\n",
-                                table.place(table.lines.size() - 1), table.columns.size(), fields.size()));
-  for (std::size_t c = 0; c < fields.size(); ++c)
-    table.columns[c].values.push_back(number_of(fields[c], table, table.columns[c]));
-}
-
 void read_measured_csv(const std::string& text, MeasuredTable& table) {
   if (std::optional<Diagnostic> fault = no_text(text, table.path, "measured values are a table, CSV or MAT"))
     throw UserError(Diagnostics{*std::move(fault)});
-  int number = 0;
-  for (const std::string& line : split_at(text, '\n')) {
-    ++number;
-    if (without_blanks(line).empty()) continue;
-    if (table.columns.empty()) {
+  for (CsvLines line(text, table.path); line.next();) {
+    if (line.is_header()) {
       read_measured_header(line, table);
-    } else {
-      table.lines.push_back(number);
-      read_measured_row(line, table);
+      continue;
     }
+    table.lines.push_back(line.number());
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      table.columns[c].values.push_back(number_of(line.fields()[c], line, table.columns[c]));
   }
 }
 

@@ -131,7 +131,7 @@ struct KindOf<Bushing> : KindDefaults {
     constexpr double kExtension = 1e-3;  // m or rad
     for (int i = 0; i < kBushingFreedoms; ++i)
       if (has_maxwell_branch(element, i))
-        use(HiddenState{"_" + std::string(kBushingFreedomNames[static_cast<std::size_t>(i)]), kExtension,
+        use(HiddenState{std::string("_").append(kBushingFreedomNames[static_cast<std::size_t>(i)]), kExtension,
                         i < 3 ? "m" : "rad"});
   }
   static constexpr std::array bounds = {FieldBound{"maxwell_stiffness", QuantityBound::not_negative},

@@ -46,9 +46,9 @@ struct BeamParts {
   BeamFields fields;
   BeamSection section;
   BeamMaterial material;
-  std::vector<BeamPoint> points;
-  std::vector<BeamNode> nodes;
-  std::vector<BeamSegment> segments;
+  std::vector<BeamPoint> points = {};
+  std::vector<BeamNode> nodes = {};
+  std::vector<BeamSegment> segments = {};
 
   std::string name_of(std::size_t node) const { return entry.written + nodes[node].suffix; }
   /// A node's body at a hardpoint.
