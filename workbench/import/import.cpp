@@ -17,7 +17,7 @@ using importing::Assembly;
 using importing::Element;
 using importing::Reading;
 
-/// Sorts by file, in the order of opening, then by position.
+/// Sorts by file, in the order of opening, then by position; what is told twice remains once.
 void sort_by_place(const Reading& reading, Diagnostics& list) {
   const auto file_index = [&](const std::string& file) {
     const auto found = std::find_if(reading.sources.begin(), reading.sources.end(),
@@ -28,6 +28,11 @@ void sort_by_place(const Reading& reading, Diagnostics& list) {
     return std::tuple(file_index(a.where.file), a.where.line, a.where.column) <
            std::tuple(file_index(b.where.file), b.where.line, b.where.column);
   });
+  const auto is_same = [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.where.file, a.where.line, a.where.column, a.message) ==
+           std::tie(b.where.file, b.where.line, b.where.column, b.message);
+  };
+  list.erase(std::unique(list.begin(), list.end(), is_same), list.end());
 }
 
 /// Name of the robot, else of its file. Requires: the robot is translated; an SDF file has given its model's name.

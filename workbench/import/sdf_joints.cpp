@@ -44,7 +44,7 @@ struct JointReader {
       return Vector3d::UnitZ();
     }
     std::string frame = xyz ? text_of(*xyz, "expressed_in") : "";
-    if (frame.empty()) frame = is_axis_of_model(axis, model.version) ? "__model__" : text_of(joint, "name");
+    if (frame.empty()) frame = is_axis_of_model(reading, axis, model.version) ? "__model__" : text_of(joint, "name");
     const auto pose = frame_pose(reading, model, frame, xyz ? *xyz : axis);
     return pose ? Vector3d(model.pose.linear() * pose->linear() * direction.normalized()) : direction.normalized();
   }
@@ -295,7 +295,7 @@ void cut_loops(Reading& reading, const std::vector<int>& coupled, const Element&
 
 /// Holds the bodies that hang on nothing: by a free joint, or fixed in a static model.
 void hold_roots(Reading& reading, const SdfModel& model, Assembly& assembly, Groups& groups) {
-  const bool is_static = inner_truth(*model.element, "static");
+  const bool is_static = inner_truth(reading, *model.element, "static");
   for (std::size_t i = 1; i < assembly.bodies.size(); ++i) {
     const int body = static_cast<int>(i);
     if (!groups.join(body, kGroundDraft)) continue;
