@@ -1,4 +1,4 @@
-// MJCF: defaults and limits, by texts of models.
+// MJCF: defaults of actuators and joints. All formats: ranges without width.
 
 #include <fmt/format.h>
 
@@ -83,6 +83,41 @@ TEST(ImportMjcfDefaults, SectionsAddToEachOther) {
                  "</worldbody></mujoco>"));
   EXPECT_NE(model.json.find("\"joint\": \"h\", \"stiffness\": 3, \"damping\": 2 }"), std::string::npos) << model.json;
   EXPECT_NE(model.json.find("\"joint\": \"g\", \"damping\": 2 }"), std::string::npos) << model.json;
+}
+
+/// Ranges without width lock a joint, ranges the wrong way round mean nothing: both are told in each format.
+TEST(ImportLimits, NarrowRangesAreTold) {
+  const auto imported_with = [](const std::string& name, const std::string& text, const std::string& ends) {
+    ImportRequest request = request_of(name, fmt::format(fmt::runtime(text), ends));
+    request.stop_stiffness = 1000;
+    return imported_text(request);
+  };
+  const std::string mjcf =
+      "<mujoco><compiler angle='radian'/><worldbody><body><joint name='j' range='{}'/><inertial pos='0 0 0' mass='1' "
+      "diaginertia='1 1 1'/></body></worldbody></mujoco>";
+  const std::string sdf =
+      "<sdf version='1.9'><model name='m'><link name='l'/><joint name='j' type='revolute'><parent>world</parent>"
+      "<child>l</child><axis><limit>{}</limit></axis></joint></model></sdf>";
+  const std::string urdf =
+      "<robot name='r'><link name='world'/><link name='l'/><joint name='j' type='revolute'><parent link='world'/>"
+      "<child link='l'/><limit {}/></joint></robot>";
+  const std::string locked = "joint \"j\" is locked by its limits, both 0.5 rad: it is imported free to move",
+                    turned = "joint \"j\": its lower limit, 0.5 rad, is above its upper one, 0.2 rad";
+  const auto sdf_limits = [](double lower, double upper) {
+    return fmt::format("<lower>{}</lower><upper>{}</upper>", lower, upper);
+  };
+  for (const ImportedModel& model :
+       {imported_with("m.xml", mjcf, "0.5 0.5"), imported_with("m.sdf", sdf, sdf_limits(0.5, 0.5)),
+        imported_with("m.urdf", urdf, "lower='0.5' upper='0.5'")}) {
+    EXPECT_TRUE(has_note(model, locked)) << to_text(model.notes);
+    EXPECT_EQ(model.json.find("bump_stops"), std::string::npos);
+  }
+  for (const ImportedModel& model :
+       {imported_with("m.xml", mjcf, "0.5 0.2"), imported_with("m.sdf", sdf, sdf_limits(0.5, 0.2)),
+        imported_with("m.urdf", urdf, "lower='0.5' upper='0.2'")})
+    EXPECT_TRUE(has_note(model, turned)) << to_text(model.notes);
+  EXPECT_FALSE(has_note(imported_with("m.xml", mjcf, "0 0"), "locked"));
+  EXPECT_FALSE(has_note(imported_with("m.urdf", urdf, "effort='3' velocity='1'"), "locked"));
 }
 
 }  // namespace

@@ -72,6 +72,8 @@ struct JointReader {
       if (limit_count++ == 0) first_limit = limit;
       draft.comment = fmt::format("limits {} .. {} {}", lower, upper, turns ? "rad" : "m");
       add_stops(reading.request, assembly, draft.name, lower, upper);
+      note_narrow(reading, limit->spot, draft.name, lower, upper, turns ? "rad" : "m",
+                  "type \"fixed\" holds it, with the link's pose at this position");
     }
     for (const auto& [name, unit] : {std::pair("effort", turns ? "N m" : "N"), {"velocity", turns ? "rad/s" : "m/s"}}) {
       const double value = inner_limit(reading, *limit, name, kNone);
