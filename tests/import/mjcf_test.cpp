@@ -85,6 +85,17 @@ TEST(ImportMjcfDefaults, SectionsAddToEachOther) {
   EXPECT_NE(model.json.find("\"joint\": \"g\", \"damping\": 2 }"), std::string::npos) << model.json;
 }
 
+/// Without loops the note speaks of no gaps.
+TEST(ImportClosing, RelationsOffZeroAreTold) {
+  const std::string hinge =
+      "<body><joint name='{}' axis='0 1 0'/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body>";
+  const ImportedModel model = imported_text(request_of(
+      "m.xml", "<mujoco><worldbody>" + fmt::format(fmt::runtime(hinge), "a") + fmt::format(fmt::runtime(hinge), "b") +
+                   "</worldbody><equality><joint joint1='a' joint2='b' polycoef='0.3 1'/></equality></mujoco>"));
+  EXPECT_TRUE(has_note(model, "relations between joints do not hold as written: joints are moved, \"a\" by 0.3 rad"));
+  EXPECT_FALSE(has_note(model, "loops are open"));
+}
+
 /// Ranges without width lock a joint, ranges the wrong way round mean nothing: both are told in each format.
 TEST(ImportLimits, NarrowRangesAreTold) {
   const auto imported_with = [](const std::string& name, const std::string& text, const std::string& ends) {

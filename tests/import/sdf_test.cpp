@@ -294,6 +294,32 @@ TEST(ImportSdf, LongChainsOfFramesAreFollowed) {
   EXPECT_NE(model.json.find("[0, 0, 29.999"), std::string::npos) << model.json;
 }
 
+TEST(ImportSdf, AWorldHasGravityAndFramesOfItsOwn) {
+  const ImportedModel model = imported_text(request_of(
+      "w.sdf",
+      "<sdf version='1.9'><world name='w'><frame name='F'><pose>1 0 0 0 0 0</pose></frame><model name='m'><pose "
+      "relative_to='F'>0 0 1 0 0 0</pose><link name='l'/></model></world></sdf>"));
+  EXPECT_NE(model.json.find("\"gravity\": [0, 0, -9.8]"), std::string::npos);
+  EXPECT_TRUE(has_note(model, "the pose of model \"m\" is relative to \"F\", which is not read"));
+}
+
+TEST(Import, TheBaseIsOfUrdfAlone) {
+  for (const auto& [name, text] :
+       {std::pair("m.sdf", "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>"),
+        {"m.xml",
+         "<mujoco><worldbody><body><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body></worldbody>"
+         "</mujoco>"}}) {
+    ImportRequest request = request_of(name, text);
+    EXPECT_TRUE(import_robot(request));
+    for (const RobotBase base : {RobotBase::fixed, RobotBase::floating}) {
+      request.base = base;
+      const Result<ImportedModel> refused = import_robot(request);
+      ASSERT_FALSE(refused);
+      EXPECT_NE(to_text(refused.problems()).find("--base is for a URDF robot alone"), std::string::npos);
+    }
+  }
+}
+
 TEST(ImportSdf, MeshesBesideTheFileAreBoxes) {
   ImportRequest request = request_of(
       "robots/cell.sdf",

@@ -45,6 +45,11 @@ std::string model_name(const ImportRequest& request, const Element& root, const 
 
 void translate(Reading& reading, const Element& root, Assembly& assembly) {
   if (root.name == "robot") return importing::import_urdf(reading, root, assembly);
+  if (reading.request.base && (root.name == "sdf" || root.name == "mujoco"))
+    return importing::problem(reading, root.spot, "--base is for a URDF robot alone",
+                              root.name == "sdf"
+                                  ? "a joint with <parent>world</parent> holds a model, without one it moves"
+                                  : "a <freejoint> lets a body move, without joints it is fixed");
   if (root.name == "sdf") return importing::import_sdf(reading, root, assembly);
   if (root.name == "mujocoinclude") {
     importing::problem(reading, root.spot, "<mujocoinclude> is a part of a model",

@@ -82,6 +82,7 @@ const Element* model_of_world(Reading& reading, const Element& world) {
 }
 
 void read_world(Reading& reading, const Element& world, Assembly& assembly) {
+  assembly.gravity = Vector3d(0, 0, -9.8);  // default of the format
   if (const Element* gravity = child(world, "gravity"))
     if (const auto g = numbers(reading, {"gravity", gravity->text, gravity->spot}, 3, 3))
       assembly.gravity = Vector3d((*g)[0], (*g)[1], (*g)[2]);
@@ -255,6 +256,11 @@ std::optional<SdfModel> read_sdf(Reading& reading, const Element& root, Assembly
   if (!reading.problems.empty()) return std::nullopt;
   const Element* pose = child(*model.element, "pose");
   model.pose = read_pose(reading, pose);
+  if (const std::string base = pose ? text_of(*pose, "relative_to") : ""; !base.empty() && base != "world")
+    note(reading, pose->spot,
+         fmt::format("the pose of model {} is relative to {}, which is not read: it stands elsewhere by that frame",
+                     quoted_text(name_of(*model.element)), quoted_text(base)),
+         "write the pose relative to the world");
   if (const std::string placed = text_of(*model.element, "placement_frame"); !placed.empty())
     if (const auto frame = frame_pose(reading, model, placed, *model.element))
       model.pose = model.pose * frame->inverse();
