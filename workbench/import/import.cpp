@@ -17,7 +17,7 @@ using importing::Assembly;
 using importing::Element;
 using importing::Reading;
 
-/// Sorts by file, in the order of opening, then by position; what is told twice remains once.
+/// Sorts by file, in the order of opening, then by position; of equal ones the first remains.
 void sort_by_place(const Reading& reading, Diagnostics& list) {
   const auto file_index = [&](const std::string& file) {
     const auto found = std::find_if(reading.sources.begin(), reading.sources.end(),
