@@ -288,7 +288,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"walker.xml", "", false, false, 1e-7}, Case{"relations.xml", "", true, true, 1e-7},
                       Case{"relations.xml", "", true, false, 1e-6}, Case{"linkage.xml", "", true, true, 1e-9},
                       Case{"linkage.xml", "", true, false, 1e-6}, Case{"open_linkage.xml", "", true, true, 1e-9},
-                      Case{"open_linkage.xml", "", true, false, 1e-6}));
+                      Case{"open_linkage.xml", "", true, false, 1e-6}, Case{"servos.xml", "", false, false, 1e-9}));
 
 }  // namespace
 }  // namespace mbgen

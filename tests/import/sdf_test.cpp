@@ -226,6 +226,100 @@ TEST(ImportSdf, NestedModelsAreTakenIntoOne) {
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(m.model.bodies[1].pose.origin[axis], expected[axis], 1e-12);
 }
 
+TEST(ImportSdf, TruthsAreWrittenInFourWays) {
+  const auto turned = [](const std::string& attributes) {
+    return imported_sdf(fmt::format("<link name='l'><pose {}>0 0 0 90 0 0</pose></link>", attributes)).json;
+  };
+  const std::string degrees = turned("degrees='true'");
+  EXPECT_NE(degrees, turned(""));
+  for (const char* yes : {"1", "True", "TRUE"}) EXPECT_EQ(turned(fmt::format("degrees='{}'", yes)), degrees) << yes;
+  for (const char* no : {"0", "False", ""}) EXPECT_EQ(turned(fmt::format("degrees='{}'", no)), turned("")) << no;
+  EXPECT_FALSE(import_robot(request_of(
+      "r.sdf", "<sdf version='1.11'><model name='r'><link name='l'><inertial auto='1'/></link></model></sdf>")));
+}
+
+/// A frame of the model moves with its canonical link, by default the first one.
+TEST(ImportSdf, FramesOfTheModelMoveWithItsCanonicalLink) {
+  const auto end_of = [](const std::string& frame, const std::string& attributes = "") {
+    const std::string json =
+        imported_text(request_of("m.sdf", fmt::format("<sdf version='1.9'><model name='m'{}>{}", attributes, frame) +
+                                              sdf_link("a", "1 0 0 0 0 0", 1, "0 0 0", 1) +
+                                              sdf_link("b", "0 0 0 0 0 0", 1, "0 0 0", 1) +
+                                              sdf_link("c", "0 0 0 0 0 0", 1, "0 0 0", 1) +
+                                              "<joint name='j' type='revolute'><parent>F</parent><child>c</child><axis>"
+                                              "<xyz>0 1 0</xyz></axis></joint></model></sdf>"))
+            .json;
+    const std::size_t start = json.find("\"from\": \"", json.find("\"type\": \"revolute\"")) + 9;
+    return json.substr(start, json.find('"', start) - start);
+  };
+  EXPECT_EQ(end_of("<frame name='F'/>"), "a.j");
+  EXPECT_EQ(end_of("<frame name='F' attached_to='__model__'/>"), "a.j");
+  EXPECT_EQ(end_of("<frame name='F'><pose relative_to='__model__'/></frame>"), "a.j");
+  EXPECT_EQ(end_of("<frame name='F'/>", " canonical_link='b'"), "b.j");
+  EXPECT_EQ(end_of("<frame name='F' attached_to='G'/><frame name='G'/>", " canonical_link='b'"), "b.j");
+}
+
+/// The axis of a file is read in the frame of its own version, whatever the version of the file around it.
+TEST(ImportSdf, AnIncludedFileHasItsOwnVersion) {
+  const std::string arm = "<model name='arm'>" + sdf_link("rod", "0 0 0 0 0 0.9", 2, "0.4 0.1 0.2", 0.05) +
+                          "<joint name='pin' type='revolute'><pose>0 0 0 0.3 0 0</pose><parent>world</parent>"
+                          "<child>rod</child><axis><xyz>0 1 0</xyz></axis></joint></model></sdf>";
+  const auto fall = [&](const std::string& outer, const std::string& version) {
+    ImportRequest request = request_of("cell.sdf", "<sdf version='" + outer +
+                                                       "'><model name='cell'><include><uri>arm.sdf</uri></include>"
+                                                       "</model></sdf>");
+    request.read = [&](const std::string&) { return std::optional("<sdf version='" + version + "'>" + arm); };
+    return at_rest(mechanism_of(imported_text(request).json), {})[0];
+  };
+  const auto alone = [&](const std::string& version) {
+    return at_rest(mechanism_of(imported_text(request_of("a.sdf", "<sdf version='" + version + "'>" + arm)).json),
+                   {})[0];
+  };
+  EXPECT_GT(std::abs(alone("1.4") - alone("1.9")), 1e-2);
+  EXPECT_NEAR(fall("1.4", "1.9"), alone("1.9"), 1e-12);
+  EXPECT_NEAR(fall("1.9", "1.4"), alone("1.4"), 1e-12);
+  EXPECT_NEAR(fall("1.9", "1.9"), alone("1.9"), 1e-12);
+}
+
+/// A chain as long as the file can have it.
+TEST(ImportSdf, LongChainsOfFramesAreFollowed) {
+  std::string members = "<link name='l'><pose relative_to='f29999'/></link><frame name='f0'/>";
+  for (int i = 1; i < 30'000; ++i)
+    members += fmt::format(
+        "<frame name='f{0}' attached_to='f{1}'><pose relative_to='f{1}'>0 0 0.001 0 0 0</pose></frame>", i, i - 1);
+  members += "<joint name='j' type='fixed'><parent>world</parent><child>f29999</child></joint>";
+  const ImportedModel model = imported_sdf(members);
+  EXPECT_NE(model.json.find("\"j\": { \"type\": \"fixed\", \"from\": \"ground.j\", \"to\": \"l.j\" }"),
+            std::string::npos);
+  EXPECT_NE(model.json.find("[0, 0, 29.999"), std::string::npos) << model.json;
+}
+
+TEST(ImportSdf, AWorldHasGravityAndFramesOfItsOwn) {
+  const ImportedModel model = imported_text(request_of(
+      "w.sdf",
+      "<sdf version='1.9'><world name='w'><frame name='F'><pose>1 0 0 0 0 0</pose></frame><model name='m'><pose "
+      "relative_to='F'>0 0 1 0 0 0</pose><link name='l'/></model></world></sdf>"));
+  EXPECT_NE(model.json.find("\"gravity\": [0, 0, -9.8]"), std::string::npos);
+  EXPECT_TRUE(has_note(model, "the pose of model \"m\" is relative to \"F\", which is not read"));
+}
+
+TEST(Import, TheBaseIsOfUrdfAlone) {
+  for (const auto& [name, text] :
+       {std::pair("m.sdf", "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>"),
+        {"m.xml",
+         "<mujoco><worldbody><body><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/></body></worldbody>"
+         "</mujoco>"}}) {
+    ImportRequest request = request_of(name, text);
+    EXPECT_TRUE(import_robot(request));
+    for (const RobotBase base : {RobotBase::fixed, RobotBase::floating}) {
+      request.base = base;
+      const Result<ImportedModel> refused = import_robot(request);
+      ASSERT_FALSE(refused);
+      EXPECT_NE(to_text(refused.problems()).find("--base is for a URDF robot alone"), std::string::npos);
+    }
+  }
+}
+
 TEST(ImportSdf, MeshesBesideTheFileAreBoxes) {
   ImportRequest request = request_of(
       "robots/cell.sdf",

@@ -22,7 +22,7 @@ namespace mbgen::cli {
 namespace {
 
 struct ImportOptions {
-  std::string robot, loops, file, base = "fixed";
+  std::string robot, loops, file, base;
   std::optional<double> stops;
   bool json = false;
 };
@@ -33,7 +33,7 @@ ImportRequest import_request(const ImportOptions& options) {
     request.loops_file = options.loops;
     request.loops = read_text(options.loops, reading::kMostBytesOfTree);
   }
-  request.base = options.base == "floating" ? RobotBase::floating : RobotBase::fixed;
+  if (!options.base.empty()) request.base = options.base == "floating" ? RobotBase::floating : RobotBase::fixed;
   if (options.stops && !(*options.stops > 0 && *options.stops <= 1e15))
     throw UserError("--stops: a stiffness above zero, in N m/rad and N/m\n");
   request.stop_stiffness = options.stops.value_or(0);

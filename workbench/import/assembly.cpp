@@ -80,6 +80,20 @@ void add_stops(const ImportRequest& request, Assembly& assembly, const std::stri
   add(true, upper);
 }
 
+void note_narrow(Reading& reading, Spot spot, const std::string& joint, double lower, double upper,
+                 const std::string& unit, const std::string& hint) {
+  if (lower > upper)
+    note(reading, spot,
+         fmt::format("joint {}: its lower limit, {} {}, is above its upper one, {} {}: it is imported without limits",
+                     quoted_text(joint), lower, unit, upper, unit),
+         "exchange the two");
+  if (lower == upper && std::isfinite(lower))
+    note(reading, spot,
+         fmt::format("joint {} is locked by its limits, both {} {}: it is imported free to move", quoted_text(joint),
+                     lower, unit),
+         hint);
+}
+
 void add_rotor(Assembly& assembly, const std::string& coordinate, double inertia) {
   constexpr double kRadius = 0.1;  // m, of the disc; only its axial inertia matters
   BodyDraft rotor{.name = unique_name(coordinate + "_rotor", assembly.body_names)};

@@ -149,6 +149,11 @@ void add_joint_forces(Assembly& assembly, const std::string& coordinate, double 
 void add_stops(const ImportRequest& request, Assembly& assembly, const std::string& coordinate, double lower,
                double upper);
 
+/// A note on a range without width, or with its ends the wrong way round: no stops come of it. hint: how the joint is
+/// held where both ends are one.
+void note_narrow(Reading& reading, Spot spot, const std::string& joint, double lower, double upper,
+                 const std::string& unit, const std::string& hint);
+
 /// Reflected inertia of a geared rotor on one coordinate (kg m^2 or kg): a disc on the ground, supported at its centre,
 /// with the coordinate as its angle.
 void add_rotor(Assembly& assembly, const std::string& coordinate, double inertia);

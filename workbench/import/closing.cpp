@@ -188,8 +188,12 @@ Closed close_chain(Chain& chain) {
 }
 
 void note_moves(Reading& reading, Spot spot, const Closed& closed, const std::string& hint) {
-  std::string text = "loops are open by up to " + gap_text(closed.widest, closed.widest_turned) + " as written";
-  if (!closed.moves.empty()) text += ": joints are moved to close them" + closed.moves;
+  const bool is_open = closed.widest > kOpen || closed.widest_turned > kOpen;
+  std::string text = is_open
+                         ? "loops are open by up to " + gap_text(closed.widest, closed.widest_turned) + " as written"
+                         : "relations between joints do not hold as written";
+  if (!closed.moves.empty())
+    text += (is_open ? ": joints are moved to close them" : ": joints are moved") + closed.moves;
   if (closed.remaining > kOpen || closed.remaining_turned > kOpen)
     text += fmt::format("; {} that no joint closes are taken up by the points of the loops",
                         gap_text(closed.remaining, closed.remaining_turned));

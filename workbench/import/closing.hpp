@@ -21,7 +21,7 @@ struct Closed {
 /// hundred factorisations of loops by joints.
 Closed close_chain(Chain& chain);
 
-/// The note about joints that were moved and gaps that remain.
+/// The note about joints that were moved, for loops or for relations alone, and gaps that remain.
 void note_moves(Reading& reading, Spot spot, const Closed& closed, const std::string& hint);
 
 /// Makes the axis of a revolute joint that closes a planar loop parallel to all others of the loop where it is tilted

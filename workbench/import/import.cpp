@@ -17,7 +17,7 @@ using importing::Assembly;
 using importing::Element;
 using importing::Reading;
 
-/// Sorts by file, in the order of opening, then by position.
+/// Sorts by file, in the order of opening, then by position; of equal ones the first remains.
 void sort_by_place(const Reading& reading, Diagnostics& list) {
   const auto file_index = [&](const std::string& file) {
     const auto found = std::find_if(reading.sources.begin(), reading.sources.end(),
@@ -28,6 +28,11 @@ void sort_by_place(const Reading& reading, Diagnostics& list) {
     return std::tuple(file_index(a.where.file), a.where.line, a.where.column) <
            std::tuple(file_index(b.where.file), b.where.line, b.where.column);
   });
+  const auto is_same = [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.where.file, a.where.line, a.where.column, a.message) ==
+           std::tie(b.where.file, b.where.line, b.where.column, b.message);
+  };
+  list.erase(std::unique(list.begin(), list.end(), is_same), list.end());
 }
 
 /// Name of the robot, else of its file. Requires: the robot is translated; an SDF file has given its model's name.
@@ -40,6 +45,11 @@ std::string model_name(const ImportRequest& request, const Element& root, const 
 
 void translate(Reading& reading, const Element& root, Assembly& assembly) {
   if (root.name == "robot") return importing::import_urdf(reading, root, assembly);
+  if (reading.request.base && (root.name == "sdf" || root.name == "mujoco"))
+    return importing::problem(reading, root.spot, "--base is for a URDF robot alone",
+                              root.name == "sdf"
+                                  ? "a joint with <parent>world</parent> holds a model, without one it moves"
+                                  : "a <freejoint> lets a body move, without joints it is fixed");
   if (root.name == "sdf") return importing::import_sdf(reading, root, assembly);
   if (root.name == "mujocoinclude") {
     importing::problem(reading, root.spot, "<mujocoinclude> is a part of a model",

@@ -2,6 +2,7 @@
 // MJCF, the format of MuJoCo (https://mujoco.readthedocs.io/en/stable/XMLreference.html): its elements and their
 // translation into a model.
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <map>
@@ -25,10 +26,13 @@ struct MjcfSettings {
   bool has_springs = true, has_dampers = true, has_friction = true, has_equalities = true, has_actuators = true;
 };
 
-/// Elements of a <default> class by name, and its parent class.
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+
+/// Elements of a <default> class, later ones override earlier ones, and its parent class.
 struct MjcfClass {
   std::string parent;
-  std::map<std::string, const Element*, std::less<>> elements;
+  std::vector<const Element*> elements;
+  std::size_t taken_over = kAll;  ///< elements of the parent that it takes over, those before it
 };
 
 struct MjcfJoint {
@@ -63,6 +67,22 @@ struct MjcfLength {
   }
 };
 
+struct MjcfRange {
+  double lower, upper;
+};
+
+/// An actuator with its defaults. Its force is gain * u + bias[0] + bias[1] * length + bias[2] * rate; its length is
+/// gear times the length of its target.
+struct MjcfActuator {
+  std::string dynamics = "none", gain_type = "fixed", bias_type = "none";
+  double gain = 1;  ///< not finite where a law without a counterpart here gave it
+  std::array<double, 3> bias = {0, 0, 0};
+  double time_constant = 1;  ///< s, of dynamics by a filter
+  double damping_ratio = 0;  ///< instead of bias[2] where it is positive
+  double gear = 1;
+  std::optional<MjcfRange> control, force, activation;  ///< in force
+};
+
 /// A kind of lost part: reported once, at its first place.
 struct MjcfLoss {
   Spot first;
@@ -93,6 +113,9 @@ void lose(Mjcf& mjcf, Spot spot, const std::string& text);
 /// <compiler>, <option>, <default>.
 void read_settings(Mjcf& mjcf, const Element& root);
 
+/// The element itself, then the elements of its classes whose names satisfy `is_shared`, the nearest first.
+std::vector<const Element*> with_defaults(const Mjcf& mjcf, const Element& element, const std::string& childclass,
+                                          const std::function<bool(std::string_view)>& is_shared);
 /// An attribute of an element, of its class or of a parent class, or nullptr. childclass: the class of elements without
 /// a class of their own.
 const Attribute* inherited(const Mjcf& mjcf, const Element& element, const std::string& childclass,
@@ -153,6 +176,9 @@ void close_loops_of(Mjcf& mjcf, const Element& root);
 void for_equalities(const Mjcf& mjcf, const Element& root, const std::function<void(const Element&)>& visit);
 /// The coefficients of an equality of joints or tendons, from the constant on.
 std::vector<double> polynomial_of(Mjcf& mjcf, const Element& equality);
+
+/// Actuator by its element and the defaults, which all kinds of actuators share as in MuJoCo.
+MjcfActuator read_actuator(Mjcf& mjcf, const Element& element);
 
 /// <equality> of joints and tendons, <actuator>, after the tendons.
 void read_equalities(Mjcf& mjcf, const Element& section);

@@ -89,45 +89,6 @@ void read_fixed(Mjcf& mjcf, const Element& tendon) {
     problem(mjcf.reading, tendon.spot, fmt::format("tendon {} is defined twice", quoted_text(written)));
 }
 
-/// Law of an actuator in MuJoCo: force = gain * u + bias + by_length * length + by_rate * rate. Its length is gear
-/// times the length of its target; u follows the input with a first-order lag.
-struct Law {
-  double gain = 1, bias = 0, by_length = 0, by_rate = 0;
-  double time_constant = 0;
-};
-
-std::vector<double> inherited_list(Mjcf& mjcf, const Element& actuator, std::string_view name,
-                                   std::size_t least_length) {
-  std::vector<double> values;
-  if (const Attribute* found = inherited(mjcf, actuator, "", name))
-    values = numbers(mjcf.reading, *found, 1, 100).value_or(values);
-  values.resize(std::max(values.size(), least_length), 0.0);
-  return values;
-}
-
-/// Fails (nothing): another kind of law.
-std::optional<Law> general_law(Mjcf& mjcf, const Element& actuator) {
-  const auto text = [&](const char* name, const char* fallback) {
-    return inherited_text(mjcf, actuator, "", name, fallback);
-  };
-  Law law;
-  if (text("gaintype", "fixed") != "fixed") return std::nullopt;
-  law.gain = inherited(mjcf, actuator, "", "gainprm") ? inherited_list(mjcf, actuator, "gainprm", 1)[0] : 1;
-  const std::string dynamics = text("dyntype", "none"), bias = text("biastype", "none");
-  if (dynamics == "filter" || dynamics == "filterexact") {
-    law.time_constant = inherited(mjcf, actuator, "", "dynprm") ? inherited_list(mjcf, actuator, "dynprm", 1)[0] : 1;
-  } else if (dynamics != "none") {
-    return std::nullopt;
-  }
-  if (bias == "none") return law;
-  if (bias != "affine") return std::nullopt;
-  const std::vector<double> b = inherited_list(mjcf, actuator, "biasprm", 3);
-  law.bias = b[0];
-  law.by_length = b[1];
-  law.by_rate = b[2];
-  return law;
-}
-
 /// Damping of a position servo from its damping ratio and the inertias of the coordinates at the reference, as in
 /// MuJoCo 3.
 double damping_by_ratio(Mjcf& mjcf, const MjcfLength& length, double gear, double ratio, double gain) {
@@ -138,21 +99,28 @@ double damping_by_ratio(Mjcf& mjcf, const MjcfLength& length, double gear, doubl
   return 2 * ratio * std::sqrt(std::max(0.0, gain * mass));
 }
 
-std::optional<Law> law_of(Mjcf& mjcf, const Element& actuator, const MjcfLength& length, double gear) {
-  if (actuator.name == "motor") return Law{};
-  if (actuator.name == "general") return general_law(mjcf, actuator);
-  const auto value = [&](const char* name, double fallback) {
-    return inherited_number(mjcf, actuator, "", name, fallback);
-  };
-  if (actuator.name == "velocity") {
-    const double gain = value("kv", 1);
-    return Law{.gain = gain, .by_rate = -gain};
-  }
-  const double gain = value("kp", 1), ratio = value("dampratio", 0);
-  double damping = value("kv", 0);
-  if (ratio != 0 && damping != 0) problem(mjcf.reading, actuator.spot, "<position> takes kv or dampratio, not both");
-  if (ratio > 0) damping = damping_by_ratio(mjcf, length, gear, ratio, gain);
-  return Law{.gain = gain, .by_length = -gain, .by_rate = -damping, .time_constant = value("timeconst", 0)};
+/// Law of an actuator as forces here have it: force = gain * u + bias + by_length * length + by_rate * rate; u follows
+/// the input with a first-order lag.
+struct Law {
+  double gain = 1, bias = 0, by_length = 0, by_rate = 0;
+  double time_constant = 0;
+};
+
+/// Fails (nothing): another kind of law.
+std::optional<Law> law_of(Mjcf& mjcf, const MjcfActuator& actuator, const MjcfLength& length) {
+  const bool is_filter = actuator.dynamics == "filter" || actuator.dynamics == "filterexact";
+  if (actuator.gain_type != "fixed" || (actuator.dynamics != "none" && !is_filter)) return std::nullopt;
+  Law law{.gain = actuator.gain, .time_constant = is_filter ? actuator.time_constant : 0};
+  if (!std::isfinite(law.gain) || !std::isfinite(law.time_constant)) return std::nullopt;
+  if (actuator.bias_type == "none") return law;
+  if (actuator.bias_type != "affine") return std::nullopt;
+  law.bias = actuator.bias[0];
+  law.by_length = actuator.bias[1];
+  law.by_rate = actuator.damping_ratio > 0
+                    ? -damping_by_ratio(mjcf, length, actuator.gear, actuator.damping_ratio, actuator.gain)
+                    : actuator.bias[2];
+  if (!std::isfinite(law.bias + law.by_length + law.by_rate)) return std::nullopt;
+  return law;
 }
 
 std::string unit_of(const Element& actuator, const MjcfLength& length, double gear) {
@@ -181,28 +149,10 @@ std::optional<MjcfLength> pulled_by(Mjcf& mjcf, const Element& actuator) {
   return MjcfLength{{{1.0, found->second}}};
 }
 
-struct Range {
-  double lower, upper;
-};
-
-/// The range "ctrl" or "force" of an actuator where it is in force.
-std::optional<Range> range_of(Mjcf& mjcf, const Element& actuator, const std::string& what) {
-  const Attribute* written = inherited(mjcf, actuator, "", what + "range");
-  const auto range = written ? numbers(mjcf.reading, *written, 2, 2) : std::nullopt;
-  const std::string limited = inherited_text(mjcf, actuator, "", what + "limited", "auto");
-  if (!range || limited == "false" || (limited == "auto" && !mjcf.settings.limits_by_range)) return std::nullopt;
-  if ((*range)[0] > (*range)[1]) {
-    problem(mjcf.reading, written->spot, what + "range has its larger end first");
-    return std::nullopt;
-  }
-  return Range{(*range)[0], (*range)[1]};
-}
-
 /// Limit of a motor by its ranges, whose larger end counts; infinite without one.
-double limit_of(Mjcf& mjcf, const Element& motor) {
+double limit_of(const MjcfActuator& motor) {
   double limit = std::numeric_limits<double>::infinity();
-  for (const char* what : {"ctrl", "force"}) {
-    const std::optional<Range> range = range_of(mjcf, motor, what);
+  for (const std::optional<MjcfRange>& range : {motor.control, motor.force}) {
     if (!range) continue;
     const double larger = std::max(std::abs(range->lower), std::abs(range->upper));
     if (larger > 0) limit = std::min(limit, larger);
@@ -210,70 +160,68 @@ double limit_of(Mjcf& mjcf, const Element& motor) {
   return limit;
 }
 
-std::string within(const std::string& text, const std::optional<Range>& range) {
+std::string within(const std::string& text, const std::optional<MjcfRange>& range) {
   return range ? fmt::format("min(max({}, {}), {})", text, number_text(range->lower), number_text(range->upper)) : text;
 }
 
 /// An input of its name, and the force of the law on each joint, both within their ranges.
-void add_servo(Mjcf& mjcf, const Element& actuator, const std::string& name, const std::string& unit, const Law& law,
-               const MjcfLength& length, double gear) {
+void add_servo(Mjcf& mjcf, const Element& element, const MjcfActuator& actuator, const std::string& name,
+               const std::string& unit, const Law& law, const MjcfLength& length) {
   Assembly& assembly = mjcf.assembly;
+  const double gear = actuator.gear;
   assembly.inputs.push_back({name, unit});
-  std::string acting = within(name, range_of(mjcf, actuator, "ctrl"));
+  std::string acting = within(name, actuator.control);
   if (law.time_constant > 0) {
     const std::string filtered = unique_name(name + "_filtered", assembly.input_names);
     assembly.states.push_back(
         {filtered, fmt::format("({} - {})/{}", acting, filtered, number_text(law.time_constant)), unit});
     acting = filtered;
   }
-  if (range_of(mjcf, actuator, "act"))
-    lose(mjcf, actuator.spot, "actuator with a range of its activation: it is not enforced");
+  if (actuator.activation) lose(mjcf, element.spot, "actuator with a range of its activation: it is not enforced");
   const auto add_law = [&](double scale, std::vector<Term>& force) {
     force = {{scale * law.gain, acting}, {scale * (law.bias + gear * law.by_length * length.reference())}};
     for (const Term& term : terms_of(length, scale * gear * law.by_length, "z.")) force.push_back(term);
     for (const Term& term : terms_of(length, scale * gear * law.by_rate, "zd.")) force.push_back(term);
   };
   std::vector<Term> force;
-  if (const std::optional<Range> range = range_of(mjcf, actuator, "force")) {
+  if (actuator.force) {
     add_law(1, force);
-    force = {{gear, within(sum_text(force), range)}};
+    force = {{gear, within(sum_text(force), actuator.force)}};
   } else {
     add_law(gear, force);
   }
   add_force(mjcf, name, length, force);
 }
 
-void add_actuator(Mjcf& mjcf, const Element& actuator) {
+void add_actuator(Mjcf& mjcf, const Element& element) {
   static constexpr std::array<std::string_view, 4> known = {"motor", "position", "velocity", "general"};
-  require_class(mjcf, actuator, "class");
+  require_class(mjcf, element, "class");
   const std::size_t problems = mjcf.reading.problems.size();
-  const bool is_known = std::find(known.begin(), known.end(), actuator.name) != known.end();
-  const std::optional<MjcfLength> length = pulled_by(mjcf, actuator);
+  const bool is_known = std::find(known.begin(), known.end(), element.name) != known.end();
+  const std::optional<MjcfLength> length = pulled_by(mjcf, element);
   if (mjcf.reading.problems.size() > problems) return;
-  double gear = 1;
-  if (const Attribute* written = inherited(mjcf, actuator, "", "gear"))
-    gear = numbers(mjcf.reading, *written, 1, 6).value_or(std::vector<double>{1})[0];
-  const std::optional<Law> law = is_known && length ? law_of(mjcf, actuator, *length, gear) : std::nullopt;
+  const MjcfActuator actuator = is_known && length ? read_actuator(mjcf, element) : MjcfActuator();
+  const std::optional<Law> law = is_known && length ? law_of(mjcf, actuator, *length) : std::nullopt;
   if (!law) {
     lose(
-        mjcf, actuator.spot,
+        mjcf, element.spot,
         fmt::format("actuator <{}>: it is not carried over, motors, position and velocity servos on hinges, slides and "
                     "fixed tendons become inputs",
-                    actuator.name));
+                    element.name));
     return;
   }
   Assembly& assembly = mjcf.assembly;
-  const std::string written = text_of(actuator, "name"), unit = unit_of(actuator, *length, gear);
+  const std::string written = text_of(element, "name"), unit = unit_of(element, *length, actuator.gear);
   const std::string name =
       unique_name(written.empty() ? length->parts.front().second.coordinate + "_motor" : written, assembly.input_names);
-  if (actuator.name == "motor" && length->parts.size() == 1 && gear != 0) {
-    if (range_of(mjcf, actuator, "ctrl") || range_of(mjcf, actuator, "force"))
-      lose(mjcf, actuator.spot, "motor with a range: a limit that is told and not enforced");
+  if (element.name == "motor" && length->parts.size() == 1 && actuator.gear != 0) {
+    if (actuator.control || actuator.force)
+      lose(mjcf, element.spot, "motor with a range: a limit that is told and not enforced");
     const auto& [factor, joint] = length->parts.front();
-    assembly.actuators.push_back({name, joint.coordinate, gear * factor, limit_of(mjcf, actuator)});
+    assembly.actuators.push_back({name, joint.coordinate, actuator.gear * factor, limit_of(actuator)});
     return;
   }
-  add_servo(mjcf, actuator, name, unit, *law, *length, gear);
+  add_servo(mjcf, element, actuator, name, unit, *law, *length);
 }
 
 }  // namespace

@@ -66,7 +66,9 @@ std::optional<std::pair<double, double>> limits_of(Mjcf& mjcf, const Placed& joi
   const Attribute* range = inherited(mjcf, *joint.element, joint.childclass, "range");
   if (!range || limited == "false" || (limited == "auto" && !mjcf.settings.limits_by_range)) return std::nullopt;
   const std::optional<std::vector<double>> values = limits(mjcf.reading, *range, 2, 2);
-  if (!values) return std::nullopt;
+  // As in MuJoCo: two zeros stand for no range unless the joint is `limited`.
+  const bool is_none = values && (*values)[0] == 0 && (*values)[1] == 0 && limited == "auto";
+  if (!values || is_none) return std::nullopt;
   const double unit = type == JointType::revolute && mjcf.settings.is_in_degrees ? std::numbers::pi / 180 : 1.0;
   return std::pair((*values)[0] * unit, (*values)[1] * unit);
 }
@@ -134,7 +136,12 @@ void add_joint(Mjcf& mjcf, const Placed& joint, JointType type, int from, int to
         inherited_number(mjcf, element, joint.childclass, "springref", 0) * (is_angle ? std::numbers::pi / 180 : 1.0) -
         result.reference;
     add_passive_forces(mjcf, joint, result);
-    if (const auto ends = limits_of(mjcf, joint, type); ends && ends->first < ends->second) {
+    const auto ends = limits_of(mjcf, joint, type);
+    if (ends)
+      note_narrow(mjcf.reading, element.spot, name, ends->first, ends->second,
+                  type == JointType::revolute ? "rad" : "m",
+                  "MuJoCo refuses such a range; a body without this joint, placed at the position, is held");
+    if (ends && ends->first < ends->second) {
       result.lower = ends->first - result.reference;
       result.upper = ends->second - result.reference;
       add_stops(mjcf.reading.request, mjcf.assembly, made.name, result.lower, result.upper);

@@ -108,43 +108,23 @@ void read_class(Mjcf& mjcf, const Element& element, const std::string& parent) {
   MjcfClass& filled = mjcf.classes[name];
   // The top class is also known by its own name and by the common parent's name.
   filled.parent = is_top && name != kMainClass ? kMainClass : parent;
+  // As in MuJoCo: a class inside takes over the class around it, and nothing that is added to that one later.
+  const std::string written = is_top ? kMainClass : name;
+  for (const Element& inner : element.children)
+    if (inner.name != "default") mjcf.classes[written].elements.push_back(&inner);
   for (const Element& inner : element.children) {
-    if (inner.name == "default") {
-      read_class(mjcf, inner, name);
-    } else {
-      mjcf.classes[is_top ? kMainClass : name].elements[inner.name] = &inner;
-    }
+    if (inner.name != "default") continue;
+    read_class(mjcf, inner, written);
+    if (const Attribute* inside = attribute(inner, "class"); inside && mjcf.classes.contains(inside->value))
+      mjcf.classes[inside->value].taken_over = mjcf.classes[written].elements.size();
   }
-}
-
-/// The element of this name in a class, or nullptr.
-const Element* element_of_class(const MjcfClass& settings, std::string_view name) {
-  const auto found = settings.elements.find(name);
-  if (found != settings.elements.end()) return found->second;
-  // All kinds of actuators share their defaults; a free joint has none.
-  static constexpr std::array<std::string_view, 4> actuators = {"general", "motor", "position", "velocity"};
-  if (std::find(actuators.begin(), actuators.end(), name) == actuators.end()) return nullptr;
-  for (const std::string_view other : actuators) {
-    const auto shared = settings.elements.find(other);
-    if (shared != settings.elements.end()) return shared->second;
-  }
-  return nullptr;
 }
 
 /// The element itself, then the elements of this name in its classes, the nearest first.
 std::vector<const Element*> chain(const Mjcf& mjcf, const Element& element, const std::string& childclass,
                                   std::string_view as = {}) {
-  std::vector<const Element*> elements = {&element};
-  const Attribute* own = attribute(element, "class");
-  std::string name = own ? own->value : childclass.empty() ? kMainClass : childclass;
-  for (std::size_t depth = 0; !name.empty() && depth <= mjcf.classes.size(); ++depth) {
-    const auto found = mjcf.classes.find(name);
-    if (found == mjcf.classes.end()) break;
-    if (const Element* settings = element_of_class(found->second, as.empty() ? element.name : as))
-      elements.push_back(settings);
-    name = found->second.parent;
-  }
-  return elements;
+  const std::string_view name = as.empty() ? element.name : as;
+  return with_defaults(mjcf, element, childclass, [&](std::string_view other) { return other == name; });
 }
 
 Eigen::Quaterniond euler(const Mjcf& mjcf, const std::vector<double>& angles) {
@@ -203,6 +183,24 @@ void read_settings(Mjcf& mjcf, const Element& root) {
     if (section.name == "option") read_option(mjcf, section);
     if (section.name == "default") read_class(mjcf, section, "");
   }
+}
+
+std::vector<const Element*> with_defaults(const Mjcf& mjcf, const Element& element, const std::string& childclass,
+                                          const std::function<bool(std::string_view)>& is_shared) {
+  std::vector<const Element*> elements = {&element};
+  const Attribute* own = attribute(element, "class");
+  std::string name = own ? own->value : childclass.empty() ? kMainClass : childclass;
+  std::size_t count = kAll;  // of elements in the next class
+  for (std::size_t depth = 0; !name.empty() && depth <= mjcf.classes.size(); ++depth) {
+    const auto found = mjcf.classes.find(name);
+    if (found == mjcf.classes.end()) break;
+    const MjcfClass& settings = found->second;
+    for (std::size_t i = std::min(settings.elements.size(), count); i-- > 0;)
+      if (is_shared(settings.elements[i]->name)) elements.push_back(settings.elements[i]);
+    count = settings.taken_over;
+    name = settings.parent;
+  }
+  return elements;
 }
 
 const Attribute* inherited(const Mjcf& mjcf, const Element& element, const std::string& childclass,

@@ -16,8 +16,8 @@ struct ImportRequest {
   std::string loops_file = {};  ///< path of the sidecar, for messages
   /// content of the sidecar (URDF only): loops, and positions where they close; see docs/use/import.md
   std::optional<std::string> loops = {};
-  RobotBase base = RobotBase::fixed;  ///< of a URDF robot
-  double stop_stiffness = 0;          ///< of stops at the ends of joints' ranges, N m/rad or N/m; 0: none
+  std::optional<RobotBase> base = {};  ///< of a URDF robot only; fixed without it
+  double stop_stiffness = 0;           ///< of stops at the ends of joints' ranges, N m/rad or N/m; 0: none
   /// Content of a file included by the robot's file, nothing if it cannot be read. Called with a path relative to the
   /// working directory.
   std::function<std::optional<std::string>(const std::string& path)> read = {};

@@ -20,7 +20,7 @@ void read_inertial(Reading& reading, const Element& link, BodyDraft& body, std::
   body.mass = 1;
   body.inertia = Matrix3d::Identity();
   if (!inertial) return without.push_back(text_of(link, "name"));
-  if (text_of(*inertial, "auto") == "true")
+  if (attribute_truth(reading, *inertial, "auto"))
     return problem(reading, inertial->spot, fmt::format("{}: inertia from shapes is not computed", body.title),
                    "write <mass> and <inertia> of the link");
   body.mass = inner_number(reading, *inertial, "mass", 1);

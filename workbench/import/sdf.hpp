@@ -17,6 +17,7 @@ struct SdfFrame {
   const Element* element = nullptr;
   std::string fallback = {};     ///< frame of its pose where it names none: "__model__", the child of a joint
   std::string attached_to = {};  ///< frame that it moves with; of a link itself
+  mutable std::optional<Isometry3d> pose = {};  ///< in the model, once it was asked for
 };
 
 struct SdfModel {
@@ -35,8 +36,11 @@ std::string inner_text(const Element& element, std::string_view name);
 double inner_number(Reading& reading, const Element& element, std::string_view name, double fallback);
 /// The number of a limit, infinite where it means none.
 double inner_limit(Reading& reading, const Element& element, std::string_view name, double fallback);
-/// Whether the child says true, or 1.
-bool inner_truth(const Element& element, std::string_view name);
+/// Whether the child says true or 1, in any case; false without it. Fails (false, with a problem): another word than
+/// these, false and 0.
+bool inner_truth(Reading& reading, const Element& element, std::string_view name);
+/// The same of an attribute.
+bool attribute_truth(Reading& reading, const Element& element, std::string_view name);
 
 /// A pose as <pose> says it, identity without one.
 Isometry3d read_pose(Reading& reading, const Element* pose);
@@ -44,7 +48,10 @@ Isometry3d read_pose(Reading& reading, const Element* pose);
 /// Version of the format, 1.7 for example; 2 for 1.10 and later.
 double sdf_version(Reading& reading, const Element& root);
 /// Whether an axis without a frame is in the axes of the model.
-bool is_axis_of_model(const Element& axis, double version);
+bool is_axis_of_model(Reading& reading, const Element& axis, double version);
+/// The link that the frame of a model moves with: its canonical_link, else its first link, of the models inside where
+/// it has none. flat: with nested models taken into it.
+std::string canonical_link(const Element& flat);
 /// Pose of a frame in a model that has no models inside. Fails (nothing): as frame_pose.
 std::optional<Isometry3d> pose_in(Reading& reading, const Element& model, std::string_view name, const Element& user);
 /// The model with the links, joints and frames of all models and included files inside of it, under names NAME::INNER.

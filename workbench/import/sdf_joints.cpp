@@ -44,7 +44,7 @@ struct JointReader {
       return Vector3d::UnitZ();
     }
     std::string frame = xyz ? text_of(*xyz, "expressed_in") : "";
-    if (frame.empty()) frame = is_axis_of_model(axis, model.version) ? "__model__" : text_of(joint, "name");
+    if (frame.empty()) frame = is_axis_of_model(reading, axis, model.version) ? "__model__" : text_of(joint, "name");
     const auto pose = frame_pose(reading, model, frame, xyz ? *xyz : axis);
     return pose ? Vector3d(model.pose.linear() * pose->linear() * direction.normalized()) : direction.normalized();
   }
@@ -72,6 +72,8 @@ struct JointReader {
       if (limit_count++ == 0) first_limit = limit;
       draft.comment = fmt::format("limits {} .. {} {}", lower, upper, turns ? "rad" : "m");
       add_stops(reading.request, assembly, draft.name, lower, upper);
+      note_narrow(reading, limit->spot, draft.name, lower, upper, turns ? "rad" : "m",
+                  "type \"fixed\" holds it, with the link's pose at this position");
     }
     for (const auto& [name, unit] : {std::pair("effort", turns ? "N m" : "N"), {"velocity", turns ? "rad/s" : "m/s"}}) {
       const double value = inner_limit(reading, *limit, name, kNone);
@@ -295,7 +297,7 @@ void cut_loops(Reading& reading, const std::vector<int>& coupled, const Element&
 
 /// Holds the bodies that hang on nothing: by a free joint, or fixed in a static model.
 void hold_roots(Reading& reading, const SdfModel& model, Assembly& assembly, Groups& groups) {
-  const bool is_static = inner_truth(*model.element, "static");
+  const bool is_static = inner_truth(reading, *model.element, "static");
   for (std::size_t i = 1; i < assembly.bodies.size(); ++i) {
     const int body = static_cast<int>(i);
     if (!groups.join(body, kGroundDraft)) continue;

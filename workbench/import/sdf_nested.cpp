@@ -54,17 +54,18 @@ void rename_pose(Element& element, const Scope& scope, const std::string& fallba
     set_attribute(inner_or_new(element, "pose"), "relative_to", base.empty() ? fallback : base);
 }
 
-void rename_axis(Element& axis, const Scope& scope, double version) {
-  const bool is_of_model = is_axis_of_model(axis, version);
+/// Writes down the frame that the version of the axis' own file means. joint: name as the model around it has it.
+void rename_axis(Reading& reading, Element& axis, const Scope& scope, const std::string& joint, double version) {
+  const std::string& meant = is_axis_of_model(reading, axis, version) ? scope.model_frame : joint;
   Element& xyz = inner_or_new(axis, "xyz");
   if (xyz.text.empty()) xyz.text = "0 0 1";
   const std::string frame = scope.outer(text_of(xyz, "expressed_in"));
-  if (!frame.empty() || is_of_model) set_attribute(xyz, "expressed_in", frame.empty() ? scope.model_frame : frame);
+  set_attribute(xyz, "expressed_in", frame.empty() ? meant : frame);
   if (Element* mimic = inner(axis, "mimic")) set_attribute(*mimic, "joint", scope.outer(text_of(*mimic, "joint")));
 }
 
 /// A link, joint or frame of a nested model with the names that the model around it has for everything.
-Element renamed(Element element, const Scope& scope, double version) {
+Element renamed(Reading& reading, Element element, const Scope& scope, double version) {
   const std::string name = text_of(element, "name");
   if (!name.empty()) set_attribute(element, "name", scope.outer(name));
   if (element.name == "link") rename_pose(element, scope, scope.model_frame);
@@ -77,7 +78,7 @@ Element renamed(Element element, const Scope& scope, double version) {
   for (const char* end : {"parent", "child", "gearbox_reference_body"})
     if (Element* at = inner(element, end)) at->text = scope.outer(at->text);
   for (const char* axis : {"axis", "axis2"})
-    if (Element* at = inner(element, axis)) rename_axis(*at, scope, version);
+    if (Element* at = inner(element, axis)) rename_axis(reading, *at, scope, scope.outer(name), version);
   rename_pose(element, scope, "");
   return element;
 }
@@ -98,27 +99,24 @@ struct Nesting {
   /// an <include>.
   void add(const Element& model, const Element& placed, const std::string& name, double version, std::size_t depth,
            Element& into) {
-    if (inner_truth(model, "static") || inner_truth(placed, "static"))
+    if (inner_truth(reading, model, "static") || inner_truth(reading, placed, "static"))
       return problem(reading, placed.spot, fmt::format("static model {} inside a model is not read", quoted_text(name)),
                      "connect it to the world by a fixed joint");
     const std::optional<Element> flat = flattened(model, version, depth + 1);
     if (!flat) return;
-    const bool is_merged = text_of(placed, "merge") == "true" || text_of(placed, "merge") == "1";
+    const bool is_merged = attribute_truth(reading, placed, "merge");
     const Scope scope = is_merged ? Scope{"", fmt::format("_merged__{}__model__", name)} : Scope{name + "::", name};
     into.children.push_back(model_frame(model, *flat, placed, scope));
     for (const Element& element : flat->children)
       if (element.name == "link" || element.name == "joint" || element.name == "frame")
-        into.children.push_back(renamed(element, scope, version));
+        into.children.push_back(renamed(reading, element, scope, version));
   }
 
   /// The frame of a nested model, by the pose of the frame that it is placed by.
   Element model_frame(const Element& model, const Element& flat, const Element& placed, const Scope& scope) {
     Element frame{.name = "frame", .spot = placed.spot, .attributes = {}, .children = {}};
-    const Element* first = child(flat, "link");
-    std::string canonical = text_of(model, "canonical_link");
-    if (canonical.empty() && first) canonical = text_of(*first, "name");
     set_attribute(frame, "name", scope.model_frame);
-    set_attribute(frame, "attached_to", scope.outer(canonical));
+    set_attribute(frame, "attached_to", scope.outer(canonical_link(flat)));
     const Element* pose = child(placed, "pose") ? child(placed, "pose") : child(model, "pose");
     Isometry3d place = read_pose(reading, pose);
     std::string by = inner_text(placed, "placement_frame");

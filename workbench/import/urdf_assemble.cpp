@@ -132,6 +132,10 @@ void add_joint(Reading& reading, UrdfRobot& robot, int index, Assembly& assembly
                    .at = child_pose.translation()};
   if (has_axis(joint.type)) draft.axis = child_pose.linear() * joint.axis;
   draft.comment = limits_text(reading, joint);
+  if (const Element* limit = child(*joint.element, "limit"))
+    note_narrow(reading, limit->spot, joint.name, joint.lower, joint.upper,
+                joint.type == JointType::revolute ? "rad" : "m",
+                "type=\"fixed\" holds it, with its <origin> at this position");
   if (joint.reference != 0) {
     draft.comment +=
         fmt::format("{}zero is {} of the URDF", draft.comment.empty() ? "" : "; ", number_text(joint.reference));
