@@ -129,6 +129,22 @@ TEST_F(Manoeuvre, SteeringBeyondItsLimitIsRefused) {
             std::string::npos);
 }
 
+TEST_F(Manoeuvre, ACircleThatEndsBeforeItsLimitSaysSo) {
+  const Json run = drive(
+      R"({ "mbgen_manoeuvre": 1, "type": "steady_circle", "method": "constant_steer", "speed": 5, "steer": 0.02,
+           "acceleration": 1, "step": 4e-3 })");
+  EXPECT_NE(run["metric_notes"].dump().find("the circle ends at 10"), std::string::npos) << run["metric_notes"];
+}
+
+// The angle of a change that an event interrupts goes from there to its target, and not beyond it.
+TEST_F(Manoeuvre, AnEventEndsTheChangeThatItInterrupts) {
+  const Json run = drive(
+      R"({ "mbgen_manoeuvre": 1, "type": "events", "speed": 15, "duration": 3, "step": 4e-3, "events": [
+           { "at": 1, "steer": 0.05, "over": 10 }, { "at": 2, "steer": 0, "over": 0.1 } ] })");
+  EXPECT_GT(run["inputs"]["steer"]["smallest"].get<double>(), -1e-6);
+  EXPECT_NEAR(run["inputs"]["steer"]["last"].get<double>(), 0, 1e-12);
+}
+
 TEST_F(Manoeuvre, InputsInOtherUnitsAreRefused) {
   std::string text = read(kFourWheeler);
   const auto with = [&](const std::string& unit, const std::string& other) {

@@ -135,6 +135,7 @@ TEST_F(Trims, UndersteerIsThatOfTheSteadyCircle) {
                        "steer": 0.02, "duration": 30 })");
   const Json run = json_of("simulate " + kTrimmedCar +
                            " --engine generic --step 2e-3 --manoeuvre m.json --every 100 --out m.csv --json");
+  EXPECT_DOUBLE_EQ(run["inputs"]["steer"]["last"].get<double>(), 0.02);
   const auto metric = [&](const char* name) {
     for (const Json& one : run["metrics"])
       if (one["name"] == name) return one["value"].get<double>();

@@ -106,6 +106,9 @@ void check(Reader& reader, const Value& value, Written<CircleManoeuvre>& written
   if (const Value* steer = find(value, "steer"); steer && !is_of_radius && written.steer == 0.0)
     report(reader, *steer, "must not be 0: the vehicle would drive straight on");
   check_speed(reader, value, "last_speed", written.last_speed);
+  for (const std::string_view of_speed : {"last_speed", "acceleration"})
+    if (const Value* other = find(value, of_speed); other && written.method == CircleManoeuvre::Method::speed)
+      report(reader, *other, "has no effect at constant_speed, which ends at the angle \"steer\": leave it out");
   if (written.last_speed && written.speed && *written.last_speed < *written.speed)
     report(reader, *find(value, "last_speed"),
            fmt::format("must be at least the speed at the start, {:g} m/s, got {:g}", *written.speed,
