@@ -26,10 +26,11 @@ class Manoeuvre : public CommandLine {
     return std::nan("");
   }
   /// Standard error of a manoeuvre that is refused.
-  std::string refusal(const std::string& model, const std::string& manoeuvre, const std::string& more = "") {
+  std::string refusal(const std::string& model, const std::string& manoeuvre, const std::string& more = "",
+                      const std::string& duration = "--duration 0.1") {
     write("m.json", manoeuvre);
     const Outcome run =
-        mbgen("simulate " + model + " --engine generic --manoeuvre m.json --duration 0.1 --out m.csv " + more);
+        mbgen("simulate " + model + " --engine generic --manoeuvre m.json --out m.csv " + duration + " " + more);
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_FALSE(std::filesystem::exists(path("m.csv")));
     return run.err;
@@ -101,6 +102,64 @@ TEST_F(Manoeuvre, EnginesDriveAlike) {
   expect_same_motion(table("generated.csv"), table("generic.csv"), 1e-9);
   expect_same_motion(table("augmented.csv"), table("generic.csv"), 1e-7);
   EXPECT_GT(std::abs(table("generic.csv").last("vehicle_y [m]")), 1);
+}
+
+// 0.3 rad are the limit of a copy of the car; its input of the rate follows the steering.
+TEST_F(Manoeuvre, SteeringBeyondItsLimitIsRefused) {
+  const std::string text = read(kFourWheeler);
+  const std::string::size_type place = text.find("\"steer\": \"steer\"");
+  ASSERT_NE(place, std::string::npos);
+  write("limited.json", text.substr(0, place) + "\"steer_limit\": 0.3, " + text.substr(place));
+  const auto of_events = [&](const std::string& events) {
+    return refusal("limited.json",
+                   R"({ "mbgen_manoeuvre": 1, "type": "events", "speed": 15, "events": [)" + events + "] }");
+  };
+  EXPECT_NE(of_events(R"({ "at": 1, "steer_table": [[0, 0], [1, 0.4]] })").find("beyond its steer_limit, 0.3 rad"),
+            std::string::npos);
+  EXPECT_NE(of_events(R"({ "at": 1, "steer": 0.2 }, { "at": 2, "steer": 0.15, "frequency": 1 })")
+                .find("0.35 rad at the steering input at t = 2.25 s are beyond"),
+            std::string::npos);
+  EXPECT_NE(of_events(R"({ "at": 1, "input": "steer_rate", "value": 1 })")
+                .find(R"(input "steer_rate" is a derivative of the vehicle's "steer")"),
+            std::string::npos);
+  EXPECT_NE(of_events(R"({ "at": 1, "input": "brake", "value": 1 })").find(R"(input "brake" is the vehicle's "brake")"),
+            std::string::npos);
+  EXPECT_NE(refusal(kFourWheeler, R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 15, "duration": 1e-9 })", "", "")
+                .find("m.json: /duration: the manoeuvre takes 1e-09 s, less than a step"),
+            std::string::npos);
+}
+
+TEST_F(Manoeuvre, ACircleThatEndsBeforeItsLimitSaysSo) {
+  const Json run = drive(
+      R"({ "mbgen_manoeuvre": 1, "type": "steady_circle", "method": "constant_steer", "speed": 5, "steer": 0.02,
+           "acceleration": 1, "step": 4e-3 })");
+  EXPECT_NE(run["metric_notes"].dump().find("the circle ends at 10"), std::string::npos) << run["metric_notes"];
+}
+
+// The angle of a change that an event interrupts goes from there to its target, and not beyond it.
+TEST_F(Manoeuvre, AnEventEndsTheChangeThatItInterrupts) {
+  const Json run = drive(
+      R"({ "mbgen_manoeuvre": 1, "type": "events", "speed": 15, "duration": 3, "step": 4e-3, "events": [
+           { "at": 1, "steer": 0.05, "over": 10 }, { "at": 2, "steer": 0, "over": 0.1 } ] })");
+  EXPECT_GT(run["inputs"]["steer"]["smallest"].get<double>(), -1e-6);
+  EXPECT_NEAR(run["inputs"]["steer"]["last"].get<double>(), 0, 1e-12);
+}
+
+TEST_F(Manoeuvre, InputsInOtherUnitsAreRefused) {
+  std::string text = read(kFourWheeler);
+  const auto with = [&](const std::string& unit, const std::string& other) {
+    const std::string::size_type place = text.find("\"" + unit + "\"");
+    EXPECT_NE(place, std::string::npos);
+    write("other.json", std::string(text).replace(place, unit.size() + 2, "\"" + other + "\""));
+  };
+  with("rad", "deg");
+  EXPECT_NE(refusal("other.json", R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 15 })")
+                .find(R"(input "steer" is the vehicle's "steer": manoeuvres and trims set it in rad, not in deg)"),
+            std::string::npos);
+  EXPECT_NE(mbgen("linearize other.json --speed 10").err.find("set it in rad, not in deg"), std::string::npos);
+  with("N m", "kN m");
+  EXPECT_NE(refusal("other.json", R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 15 })").find("set it in N m"),
+            std::string::npos);
 }
 
 TEST_F(Manoeuvre, WhatCannotBeDrivenIsRefused) {

@@ -71,6 +71,10 @@ TEST_F(Drives, ACourseOfAFileIsFollowed) {
   const double h = 20.0 * 20 / (100 * 100), length = M_PI * 100 * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
   EXPECT_NEAR(metric(run, "lap_time_1") * metric(run, "mean_speed"), length, 0.02 * length);
   EXPECT_EQ(run["manoeuvre"]["ended"], "the track is passed");
+  // The lap ends at its start line, at the origin: rows are 10 steps apart.
+  const Table motion = table("m.csv");
+  EXPECT_NEAR(motion.last("vehicle_x [m]"), 0, 0.2);
+  EXPECT_GT(motion.last("vehicle_x [m]"), 0);
   EXPECT_NEAR(run["manoeuvre"]["learned"]["understeer"].get<double>(), 0.00137, 3e-5);
   EXPECT_EQ(run["manoeuvre"]["learned"]["steer_ratio"], 1.0);
   write("m.json", R"({ "mbgen_manoeuvre": 1, "type": "track", "speed": 8, "path": "none.csv" })");

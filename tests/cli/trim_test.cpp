@@ -87,6 +87,33 @@ TEST_F(Trims, ABendToTheRightIsTheMirrorImage) {
   EXPECT_NEAR(left["load_fl"].get<double>(), right["load_fr"].get<double>(), 1e-3);
 }
 
+// Headings of half a turn change from pi to -pi.
+TEST_F(Trims, AVehicleThatHeadsBackwardsIsTheSame) {
+  std::string text = read(kTrimmedCar);
+  const auto put = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  put("\"velocities\": {", "\"positions\": { \"car_rz\": { \"deg\": 180 } }, \"velocities\": {");
+  put("\"car_tx\": \"speed\"", "\"car_tx\": \"-speed\"");
+  write("turned.json", text);
+  for (const char* radius : {"150", "-150"}) {
+    const std::string way = fmt::format("20 --radius {}", radius);
+    const Json there = trim(way), back = json_of("linearize turned.json --speed " + way + " --json")["trim"];
+    for (const char* name : {"steer", "sideslip", "roll", "yaw_rate", "understeer_gradient"})
+      EXPECT_NEAR(there[name].get<double>(), back[name].get<double>(), 1e-7) << name;
+  }
+  write("learns.json", R"({ "mbgen_manoeuvre": 1, "type": "ride", "speed": 15, "driver": { "learns": true } })");
+  const auto learned = [&](const std::string& model) {
+    const Outcome run = mbgen("simulate " + model + " --engine generic --step 2e-3 --duration 0.1 " +
+                              "--manoeuvre learns.json --out l.csv");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err.find("steer_ratio"), std::string::npos) << run.err;
+    return Json::parse(read("l.csv.run.json"))["manoeuvre"]["learned"]["understeer"].get<double>();
+  };
+  EXPECT_NEAR(learned("turned.json"), learned(kTrimmedCar), 1e-7);
+}
+
 // Uphill the rear wheels push m g sin(angle) at their rolling radius (docs/use/tyres.md: R0 less a third of the
 // deflection); the tyres carry m g cos(angle).
 TEST_F(Trims, AGradeAsksForTheForceOfGravity) {
@@ -108,6 +135,7 @@ TEST_F(Trims, UndersteerIsThatOfTheSteadyCircle) {
                        "steer": 0.02, "duration": 30 })");
   const Json run = json_of("simulate " + kTrimmedCar +
                            " --engine generic --step 2e-3 --manoeuvre m.json --every 100 --out m.csv --json");
+  EXPECT_DOUBLE_EQ(run["inputs"]["steer"]["last"].get<double>(), 0.02);
   const auto metric = [&](const char* name) {
     for (const Json& one : run["metrics"])
       if (one["name"] == name) return one["value"].get<double>();

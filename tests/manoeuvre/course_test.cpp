@@ -111,6 +111,12 @@ TEST(StandingStart, TimesAreThoseOfUniformAcceleration) {
   EXPECT_NEAR(value(metrics, "time_to_50"), 1 + 50 / 3.6 / 2, 1e-9);
   EXPECT_NEAR(value(metrics, "time_to_100"), 1 + 100 / 3.6 / 2, 1e-9);
   EXPECT_NEAR(value(metrics, "distance"), 18 * 18 - 0.1, 1e-9);
+  // At 12 s the speed is 20 m/s, that is 72 km/h: what it has already is not reached.
+  const VehicleMetrics later = start_metrics(s, {.at = 12});
+  EXPECT_FALSE(has(later, "time_to_move"));
+  EXPECT_TRUE(notes(later, "time_to_move: the vehicle moves already"));
+  EXPECT_FALSE(has(later, "time_to_50"));
+  EXPECT_NEAR(value(later, "time_to_80"), 80 / 3.6 / 2 - 10, 1e-9);
 }
 
 }  // namespace

@@ -53,6 +53,39 @@ TEST(Signal, DerivativesAreThoseOfTheValue) {
   EXPECT_DOUBLE_EQ(table.at(9).value, 2);
 }
 
+// A change that is interrupted ends there: the next one starts at its value, and does not go beyond its target.
+TEST(Signal, AnInterruptedChangeEndsWithoutOvershoot) {
+  Signal signal;
+  signal.go_to(0.05, 1, 10);
+  const double reached = signal.at(2).value;
+  signal.go_to(0, 2, 0.1);
+  EXPECT_GT(reached, 0);
+  EXPECT_DOUBLE_EQ(signal.at(2).value, reached);
+  for (double t = 2; t < 30; t += 0.01) {
+    EXPECT_LE(signal.at(t).value, reached) << t;
+    EXPECT_GE(signal.at(t).value, -1e-15) << t;
+  }
+  EXPECT_NEAR(signal.at(2.1).value, 0, 1e-15);
+}
+
+TEST(Signal, ATableIsNothingBeforeItsInstant) {
+  Signal table;
+  table.add_table({{0, 0.2}, {1, 0.3}}, 2);
+  for (const double t : {0.0, 1.0, 2.0}) EXPECT_EQ(table.at(t).value, 0) << t;
+  EXPECT_NEAR(table.at(2.001).value, 0.2, 1e-3);
+}
+
+TEST(Signal, ASweepFallsToRestBehindItsEnd) {
+  Signal sweep;
+  sweep.add_sweep(0.3, 0.2, 0.5, 2, 10.1);
+  expect_consistent(sweep, 14, 10);
+  for (const double t : {10.8001, 12.0}) {
+    EXPECT_EQ(sweep.at(t).value, 0) << t;
+    EXPECT_EQ(sweep.at(t).rate, 0) << t;
+    EXPECT_EQ(sweep.at(t).acceleration, 0) << t;
+  }
+}
+
 // Whole cycles within a second at both ends of the sweep: its frequency is that which was asked for.
 TEST(Signal, ASweepBeginsAndEndsAtItsFrequencies) {
   Signal sweep;

@@ -1,6 +1,9 @@
 // Frequency responses and weave of the linear single-track vehicle against its transfer functions.
 
+#include <functional>
+
 #include "tests/manoeuvre/metrics_support.hpp"
+#include "workbench/manoeuvre/signal.hpp"
 
 namespace mbgen::metrics_test {
 namespace {
@@ -24,12 +27,11 @@ VehicleSeries random_steering(const SingleTrack& car, double duration) {
   return s;
 }
 
-/// A sine whose frequency grows evenly from 0.1 to 4 Hz; the motion by the Runge-Kutta method from straight ahead.
-VehicleSeries swept_sine(const SingleTrack& car, double duration) {
+/// The motion by the Runge-Kutta method from straight ahead.
+VehicleSeries steered(const SingleTrack& car, double duration, const std::function<double(double)>& steer) {
   constexpr double kStep = 0.005;
   VehicleSeries s = empty_series(static_cast<std::size_t>(duration / kStep) + 1, kStep);
   s.speed.assign(s.t.size(), car.speed);
-  const auto steer = [&](double t) { return 0.02 * std::sin(2 * kPi * (0.1 * t + 3.9 * t * t / (2 * duration))); };
   using Pair = std::array<double, 2>;
   const auto slope = [&](double t, Pair z) {
     return Pair{car.a11() * z[0] + car.a12() * z[1] + car.b1() * steer(t),
@@ -45,6 +47,12 @@ VehicleSeries swept_sine(const SingleTrack& car, double duration) {
     for (int c = 0; c < 2; ++c) z[c] += kStep / 6 * (k1[c] + 2 * k2[c] + 2 * k3[c] + k4[c]);
   }
   return s;
+}
+
+/// A sine whose frequency grows evenly from 0.1 to 4 Hz.
+VehicleSeries swept_sine(const SingleTrack& car, double duration) {
+  return steered(car, duration,
+                 [=](double t) { return 0.02 * std::sin(2 * kPi * (0.1 * t + 3.9 * t * t / (2 * duration))); });
 }
 
 /// Every number against the closed form, within a share of it.
@@ -80,6 +88,22 @@ TEST(SineSweep, SweptSineGivesTheTransferFunctions) {
   expect_responses(sine_sweep_metrics(swept_sine(car, 80), {.lowest = 0.1, .highest = 4}), car, 0.006);
   // The range from the spectrum alone.
   expect_responses(sine_sweep_metrics(swept_sine(car, 80), {}), car, 0.006);
+}
+
+// A bandwidth shortly below the last frequency counts where the response may die out; else its number has a note.
+TEST(SineSweep, TheEndOfTheSweepCounts) {
+  const SingleTrack car{.speed = 35};
+  const auto yaw_gain = [&](double f) { return std::abs(car.yaw(on_axis(f))); };
+  const double bandwidth = root([&](double f) { return yaw_gain(0) / std::sqrt(2) - yaw_gain(f); }, 0.5, 4);
+  Signal sweep;
+  sweep.add_sweep(0.02, 1, 0.1, 1.1 * bandwidth, 56);
+  const auto steer = [&](double t) { return sweep.at(t).value; };
+  const SineSweep asked{.lowest = 0.1, .highest = 1.1 * bandwidth};
+  const VehicleMetrics whole = sine_sweep_metrics(steered(car, 62, steer), asked);
+  EXPECT_NEAR(value(whole, "yaw_rate_bandwidth"), bandwidth, 4e-3 * bandwidth);
+  EXPECT_FALSE(notes(whole, "dies out"));
+  EXPECT_TRUE(
+      notes(sine_sweep_metrics(steered(car, 57, steer), asked), "yaw_rate: the series ends before its response"));
 }
 
 TEST(SineSweep, NoiseOfTheAnswersIsAveragedOut) {
@@ -175,6 +199,15 @@ TEST(Weave, SensitivityIsThatOfBothBranches) {
   const VehicleMetrics metrics = weave_metrics(s, {});
   const double expected = std::abs(lateral) / std::cos(std::arg(lateral));
   EXPECT_NEAR(value(metrics, "steering_sensitivity"), expected, 1e-3 * expected);
+}
+
+// Rest behind the steering is no cycle.
+TEST(Weave, RestBehindTheSteeringDoesNotCount) {
+  const SingleTrack car{.speed = 27.8};
+  VehicleSeries s = weave_series(car, 0.2, 20.8);
+  for (std::size_t i = 2001; i < s.t.size(); ++i) s.steer[i] = s.yaw_rate[i] = s.lateral_acceleration[i] = 0;
+  expect_weave(weave_metrics(s, {.end = 20}), car, 0.2, 1e-3);
+  EXPECT_TRUE(notes(weave_metrics(s, {.end = 12}), "the steering ends at 12 s"));
 }
 
 TEST(Weave, NoiseDoesNotBreakIt) {

@@ -41,6 +41,21 @@ TEST(Towing, OfftrackingOfACartOnACircle) {
     }
 }
 
+// Straight on and the way into the circle are not the circle; headings on both sides of half a turn are near.
+TEST(Towing, OfftrackingIsOfTheCircleAlone) {
+  VehicleSeries s = towing_series(2001, 0.01);
+  for (std::size_t i = 0; i < s.t.size(); ++i) {
+    const bool is_circle = s.t[i] >= 10;
+    s.x[i] = 10 * s.t[i], s.towed.x[i] = s.x[i] - 8;
+    s.towed.y[i] = is_circle ? 0.3 : 0.1;
+    s.heading[i] = 0.001, s.towed.heading[i] = 2 * kPi - 0.001;
+    s.yaw_rate[i] = 0.1;
+    s.lateral_acceleration[i] = is_circle ? 1 : 0.5;
+  }
+  EXPECT_NEAR(value(towing_metrics(s, {.is_circle = true, .begin = 10}), "offtracking"), 0.3, 1e-3);
+  EXPECT_NEAR(value(towing_metrics(s, {.is_circle = true, .begin = 10}), "largest_articulation"), 0.002, 1e-12);
+}
+
 // A cart whose hitch runs along a small sine: its axle follows as 1 / (1 + s L / v). Its heading is psi(s) = y(s) s / v
 // of that, and its axle is off the path by what both waves are apart at one place.
 TEST(Towing, ACartBehindAWave) {

@@ -22,12 +22,12 @@ void note_first(bool happens, double t, std::optional<double>& first) {
   if (happens && !first) first = t;
 }
 
-/// Heading of a tyre's wheel, rad to the left.
-double heading_of(const Model& model, const std::vector<Pose>& poses, const Tyre& tyre) {
+/// Heading of a tyre's wheel, rad to the left of `ahead`, within half a turn.
+double heading_of(const Model& model, const std::vector<Pose>& poses, const Tyre& tyre, double ahead) {
   const auto body = static_cast<std::size_t>(tyre.centre.body);
   Vector3 axis = rotated(poses[body].rotation, to_body_axes(model.bodies[body].pose, tyre.axis));
   if (tyre.axis[1] < 0) axis = {-axis[0], -axis[1], -axis[2]};
-  return std::atan2(-axis[0], axis[1]);
+  return std::remainder(std::atan2(-axis[0], axis[1]) - ahead, 2 * std::numbers::pi);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ double heading_of(const Model& model, const std::vector<Pose>& poses, const Tyre
 void CourseWatch::add(double t, const PlaneMotion& motion, const std::optional<CoursePlace>& place, double most,
                       double heading) {
   note_first(place && std::abs(place->offset) > most, t, leaves);
-  note_first(place && std::abs(motion.heading - heading) > kAcross, t, turns);
+  note_first(place && std::abs(std::remainder(motion.heading - heading, 2 * std::numbers::pi)) > kAcross, t, turns);
   note_first(motion.speed() > kFast && std::abs(std::atan2(motion.left, motion.forward)) > kSlide, t, slides);
 }
 
@@ -59,12 +59,13 @@ std::optional<double> steer_angle(const Compilation& c, const GenericState& stat
   const std::vector<Pose> poses = solver.poses(state);
   const VehicleFacts facts = vehicle_facts(c.model);
   const int last = static_cast<int>(facts.tracks.size()) - 1;
+  const double ahead = heading_of(c.model, poses, c.model.tyres.front(), 0);
   double sum[2] = {0, 0};
   int count[2] = {0, 0};
   for (std::size_t i = 0; i < c.model.tyres.size(); ++i) {
     const int axle = facts.wheels[i].axle;
     if (axle != 0 && axle != last) continue;
-    sum[axle == 0 ? 0 : 1] += heading_of(c.model, poses, c.model.tyres[i]);
+    sum[axle == 0 ? 0 : 1] += heading_of(c.model, poses, c.model.tyres[i], ahead);
     ++count[axle == 0 ? 0 : 1];
   }
   if (count[0] == 0 || count[1] == 0) return {};

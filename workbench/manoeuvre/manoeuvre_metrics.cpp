@@ -4,8 +4,12 @@
 
 #include <algorithm>
 
+#include "workbench/manoeuvre/metrics_fits.hpp"
+
 namespace mbgen {
 namespace {
+
+constexpr double kRounding = 1e-6;  // s
 
 /// Points of the series from an instant on.
 VehicleSeries from(VehicleSeries series, double begin) {
@@ -36,7 +40,16 @@ struct Measures {
                        .radius = circle.radius.value_or(0),
                        .steering_ratio = vehicle.steer_ratio,
                        .tracks = facts.tracks};
-    return steady_circle_metrics(from(series, plan.begin), asked);
+    VehicleMetrics metrics = steady_circle_metrics(from(series, plan.begin), asked);
+    const double most = manoeuvre::largest(series.lateral_acceleration);
+    const bool is_whole = !circle.duration && series.t.back() >= plan.duration - kRounding;
+    if (circle.method == CircleManoeuvre::Method::steer && !circle.last_speed && is_whole &&
+        most < circle.largest_lateral_acceleration)
+      metrics.notes.push_back(
+          fmt::format("the circle ends at {:.4g} m/s, with {:.3g} m/s^2 of the {:g} m/s^2 that would end it: give "
+                      "\"last_speed\" for more",
+                      series.speed.back(), most, circle.largest_lateral_acceleration));
+    return metrics;
   }
   VehicleMetrics operator()(const StepManoeuvre&) const { return step_steer_metrics(series, {}); }
   VehicleMetrics operator()(const SweepManoeuvre& sweep) const {
@@ -56,7 +69,8 @@ struct Measures {
                                         .to_right = half});
   }
   VehicleMetrics operator()(const WeaveManoeuvre& weave) const {
-    return weave_metrics(from(series, plan.begin), {.frequency = weave.frequency});
+    const double end = plan.begin + weave.cycles / weave.frequency;
+    return weave_metrics(from(series, plan.begin), {.frequency = weave.frequency, .end = end});
   }
   VehicleMetrics operator()(const DwellManoeuvre& dwell) const {
     return dwell_metrics(series, {.begin = dwell.at, .frequency = dwell.frequency, .dwell = dwell.dwell});
@@ -84,7 +98,8 @@ VehicleMetrics metrics_of(const Manoeuvre& manoeuvre, const Plan& plan, const Ve
   VehicleMetrics towing =
       towing_metrics(series, {.front = facts.front,
                               .towed_rear = facts.towed_rear,
-                              .is_circle = circle && circle->method == CircleManoeuvre::Method::radius});
+                              .is_circle = circle && circle->method == CircleManoeuvre::Method::radius,
+                              .begin = plan.begin});
   const auto append = [](auto& all, auto& more) { all.insert(all.end(), more.begin(), more.end()); };
   append(metrics.values, towing.values);
   append(metrics.diagrams, towing.diagrams);

@@ -77,6 +77,9 @@ void ManoeuvreRun::complete(SimulationArguments& arguments, double step_of_model
   if (!arguments.step) arguments.step = base_of(manoeuvre_).step;
   constexpr double kMostSteps = 1e7;  // metrics hold all of them in memory: 1.5 GB
   const double step = arguments.step.value_or(step_of_model), steps = *arguments.duration / step;
+  if (!(steps >= 1 - kSameStep))
+    throw UserError(fmt::format("{}: the manoeuvre takes {:.4g} s, less than a step of {:g} s\n", length_of,
+                                *arguments.duration, step));
   if (steps > kMostSteps)
     throw UserError(
         fmt::format("{}: the manoeuvre takes {:.4g} s, {:.2g} steps of {:g} s; at most {:g} are driven\n  hint: give "
@@ -145,8 +148,7 @@ void ManoeuvreRun::observe(double t) {
   if (plan_.torques[phase_].holds_speed)
     largest_speed_error_ =
         std::max(largest_speed_error_, std::abs(reading_.plane.forward - wanted_speed(plan_, t, place_.way)));
-  if (plan_.track &&
-      place_.way >= static_cast<double>(laps_.size() + 1) * plan_.track->length - plan_.track->path.spacing)
+  if (plan_.track && place_.way > std::min(plan_.last_way, static_cast<double>(laps_.size() + 1) * plan_.track->length))
     laps_.push_back(t);
 }
 

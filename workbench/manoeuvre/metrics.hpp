@@ -63,6 +63,7 @@ VehicleMetrics sine_sweep_metrics(const VehicleSeries& series, const SineSweep& 
 struct Weave {
   double frequency = 0.2;  ///< Hz
   double settled = 0;      ///< s, start of the whole cycles; 0: after the first cycle
+  double end = 0;          ///< s, of the steering; 0: of the series
 };
 VehicleMetrics weave_metrics(const VehicleSeries& series, const Weave& weave);
 
@@ -94,6 +95,7 @@ struct Towing {
   double front = 0,
          towed_rear = 0;   ///< m, from the points of both units to the foremost axle, and back to the rearmost
   bool is_circle = false;  ///< of constant radius: offtracking is the steady one of the circle
+  double begin = 0;        ///< s: offtracking of a circle counts from here on
 };
 VehicleMetrics towing_metrics(const VehicleSeries& series, const Towing& towing);
 

@@ -15,14 +15,12 @@ using namespace manoeuvre;
 constexpr int kSpeeds[] = {20, 50, 80, 100};  // km/h
 constexpr double kDrives = 0.1;               // m/s
 
-/// The first time from `from` on at which the speed is reached, by linear interpolation; NaN: never.
+/// The first time from `from` on at which the speed is reached, by linear interpolation; NaN: never, or it is reached
+/// already.
 double time_of(const VehicleSeries& s, double speed, double from) {
-  for (std::size_t i = 1; i < s.t.size(); ++i) {
-    if (s.t[i] < from || s.speed[i] < speed) continue;
-    const double before = s.speed[i - 1], share = before < speed ? (speed - before) / (s.speed[i] - before) : 0;
-    return std::lerp(s.t[i - 1], s.t[i], share);
-  }
-  return std::nan("");
+  const std::size_t first = first_point(s, from);
+  if (first >= s.t.size() || s.speed[first] >= speed) return std::nan("");
+  return time_of_rise(s.t, s.speed, speed, first);
 }
 
 /// Way along the heading of the start, m, at each point.
@@ -49,7 +47,9 @@ VehicleMetrics start_metrics(const VehicleSeries& s, const StandingStart& start)
   if (const double moves = time_of(s, kDrives, start.at); std::isfinite(moves))
     add(metrics, "time_to_move", moves - start.at, "s", fmt::format("until the vehicle drives at {:g} m/s", kDrives));
   else
-    metrics.notes.push_back("time_to_move: the vehicle does not move forward");
+    metrics.notes.push_back(s.speed[std::min(first_point(s, start.at), s.t.size() - 1)] >= kDrives
+                                ? "time_to_move: the vehicle moves already when the drive takes over"
+                                : "time_to_move: the vehicle does not move forward");
   for (const int speed : kSpeeds) {
     const double time = time_of(s, speed / 3.6, start.at);
     if (std::isfinite(time))

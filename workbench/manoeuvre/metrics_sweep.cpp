@@ -23,6 +23,7 @@ constexpr double kLatestStart = 0.25;  ///< Hz: no extrapolation to zero frequen
 constexpr double kLeastPeak = 1.01;    ///< of the steady gain
 constexpr double kWorstFit = 0.05;     ///< of the response: residual of the second-order model
 constexpr double kAtRest = 0.02;       ///< of the spread of values: largest first value of a series from rest
+constexpr double kRestAtEnd = 0.5;     ///< s at the end, all of which are as small
 constexpr double kHighestOfFit = 3;    ///< Hz: roll and tyres make the response of higher order beyond
 
 /// A response over its frequencies.
@@ -32,16 +33,27 @@ struct FrequencyResponse {
   double sign = 1;  ///< -1: slow steering to the left turns to the right; gain and phase have the opposite sign
 };
 
-/// Spectra of two series. If both start from rest, rest is prepended, so that all windows cover their begin: a sweep is
-/// slow there.
-Spectra spectra_with_begin(const Values& input, const Values& output, double time_step, std::size_t width) {
-  for (const Values* values : {&input, &output}) {
-    if (std::abs(values->front()) > kAtRest * spread(*values, {0, values->size()}, 0))
-      return spectra_of(input, output, time_step, width);
-  }
+/// Whether values are small all over a span of their begin or end.
+bool is_at_rest(const Values& values, Span span) {
+  return largest(values, span) <= kAtRest * spread(values, {0, values.size()}, 0);
+}
+
+bool begins_at_rest(const Values& values) { return is_at_rest(values, {0, 1}); }
+
+bool ends_at_rest(const Values& values, double time_step) {
+  const auto count = static_cast<std::size_t>(kRestAtEnd / time_step) + 1;
+  return is_at_rest(values, {values.size() - std::min(count, values.size()), values.size()});
+}
+
+/// Spectra of two series. Where both begin or end at rest, rest is added, so that all windows cover it: a sweep is slow
+/// at its begin, and its fastest sines are those of its end.
+Spectra spectra_with_rest(const Values& input, const Values& output, double time_step, std::size_t width) {
+  const std::size_t before = begins_at_rest(input) && begins_at_rest(output) ? width : 0;
+  const std::size_t behind = ends_at_rest(input, time_step) && ends_at_rest(output, time_step) ? width : 0;
   const auto with_rest = [&](const Values& values) {
-    Values longer(width, 0.0);
+    Values longer(before, 0.0);
     longer.insert(longer.end(), values.begin(), values.end());
+    longer.resize(longer.size() + behind, 0.0);
     return longer;
   };
   return spectra_of(with_rest(input), with_rest(output), time_step, width);
@@ -207,7 +219,13 @@ VehicleMetrics sine_sweep_metrics(const VehicleSeries& s, const SineSweep& asked
   VehicleMetrics metrics;
   const auto width = static_cast<std::size_t>(segment / step_of(s));
   const auto response = [&](const std::string& name, const Values& values) {
-    const Spectra spectra = spectra_with_begin(s.steer, values, step_of(s), width);
+    const Spectra spectra = spectra_with_rest(s.steer, values, step_of(s), width);
+    if (begins_at_rest(s.steer) && begins_at_rest(values) &&
+        !(ends_at_rest(s.steer, step_of(s)) && ends_at_rest(values, step_of(s))))
+      metrics.notes.push_back(
+          name +
+          ": the series ends before its response dies out: numbers of the frequencies at its end, such as a "
+          "bandwidth there, are not exact");
     return followed_response(metrics, name, spectra, excited_lines(spectra, asked, segment));
   };
   add(metrics, "speed", mean(s.speed, {0, s.t.size()}), "m/s", "mean");

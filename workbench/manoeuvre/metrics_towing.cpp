@@ -48,10 +48,10 @@ Values offtracking(const VehicleSeries& s, const Towing& towing) {
   return aside;
 }
 
-/// Adds the offtracking of a circle: to its inside, over lateral acceleration.
-void add_circle(VehicleMetrics& metrics, const VehicleSeries& s, const Values& aside) {
+/// Adds the offtracking of a circle from an instant on: to its inside, over lateral acceleration.
+void add_circle(VehicleMetrics& metrics, const VehicleSeries& s, const Values& aside, double begin) {
   Values lateral, inwards;
-  for (std::size_t i = 0; i < s.t.size(); ++i) {
+  for (std::size_t i = first_point(s, begin); i < s.t.size(); ++i) {
     const double size = std::abs(s.lateral_acceleration[i]);
     if (std::isnan(aside[i]) || size < kLeastTurn || size > kLinearUpTo) continue;
     lateral.push_back(size);
@@ -115,11 +115,14 @@ VehicleMetrics towing_metrics(const VehicleSeries& s, const Towing& towing) {
   if (!fault.empty()) return refused("towed unit", fault);
   VehicleMetrics metrics;
   const Values aside = offtracking(s, towing);
+  // The headings of both units are without jumps each, but may begin whole turns apart.
+  const double first = s.towed.heading.front() - s.heading.front();
+  const double turns = first - std::remainder(first, 2 * std::numbers::pi);
   Values articulation;
-  for (std::size_t i = 0; i < s.t.size(); ++i) articulation.push_back(s.towed.heading[i] - s.heading[i]);
+  for (std::size_t i = 0; i < s.t.size(); ++i) articulation.push_back(s.towed.heading[i] - s.heading[i] - turns);
   add(metrics, "largest_articulation", largest(articulation), "rad", "heading of the last unit against the first");
   if (towing.is_circle) {
-    add_circle(metrics, s, aside);
+    add_circle(metrics, s, aside, towing.begin);
     return metrics;
   }
   const auto amplification = [&](const char* name, const Values& first, const Values& last, const char* meaning) {

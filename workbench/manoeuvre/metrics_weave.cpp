@@ -67,11 +67,13 @@ SlowLoop loop_at_zero(const Values& t, const Values& across, const Sine& of_acro
 Span whole_cycles(const VehicleSeries& s, const Weave& weave) {
   const double first = std::max(weave.settled > 0 ? weave.settled : s.t.front() + 1 / weave.frequency, s.t.front());
   const double step = step_of(s), period = 1 / weave.frequency;
-  const double cycles = std::floor((s.t.back() - first) / period + 1e-6);
+  const double last = weave.end > 0 ? std::min(weave.end, s.t.back()) : s.t.back();
+  const double cycles = std::floor((last - first) / period + 1e-6);
   if (cycles < 2) return {};
   // The last point of a cycle is the first point of the next.
   const auto points = static_cast<std::size_t>(std::lround(cycles * period / step));
-  return {s.t.size() - std::min(points, s.t.size()), s.t.size()};
+  const std::size_t begin = first_point(s, first);
+  return {begin, std::min(begin + points, s.t.size())};
 }
 
 std::string fault_of_weave(const VehicleSeries& s, const Weave& weave) {
@@ -85,8 +87,9 @@ std::string fault_of_weave(const VehicleSeries& s, const Weave& weave) {
     return fmt::format("{:.3g} points per cycle; the fits need 100", 1 / (weave.frequency * step_of(s)));
   const Span span = whole_cycles(s, weave);
   if (span.size() == 0) {
-    return fmt::format("the series ends at {:.4g} s; it has to hold two whole cycles of {:.4g} s after the first one",
-                       s.t.back(), 1 / weave.frequency);
+    return fmt::format("the {} at {:.4g} s; it has to hold two whole cycles of {:.4g} s after the first one",
+                       weave.end > 0 && weave.end < s.t.back() ? "steering ends" : "series ends",
+                       weave.end > 0 ? std::min(weave.end, s.t.back()) : s.t.back(), 1 / weave.frequency);
   }
   const Sine steer = fitted_sine(s.t, s.steer, span, weave.frequency);
   if (!(steer.amplitude > 0) || steer.left > kMostHarmonics * steer.amplitude)
@@ -134,7 +137,8 @@ VehicleMetrics weave_metrics(const VehicleSeries& s, const Weave& weave) {
   add(metrics, "lateral_acceleration_lag", lag(lateral, steer), "s", "of its sine behind the sine of the steer angle");
   add(metrics, "yaw_rate_lag", lag(yaw, steer), "s", "of its sine behind the sine of the steer angle");
   const auto part = [&](const Values& values) {
-    return Values(values.begin() + static_cast<std::ptrdiff_t>(span.begin), values.end());
+    return Values(values.begin() + static_cast<std::ptrdiff_t>(span.begin),
+                  values.begin() + static_cast<std::ptrdiff_t>(span.end));
   };
   metrics.diagrams.push_back({"Weave",
                               {"steer angle", "rad"},

@@ -15,6 +15,22 @@ namespace {
 constexpr double kSettles = 5;        // s, before a slow change
 constexpr double kSettlesOnRoad = 1;  // s, from the flat start to a rough road
 
+/// Fails for an input that the manoeuvre moves by the vehicle's keys, or that is a derivative of its steering.
+void refuse_own_input(const Model& model, const Event& event, int input) {
+  const Vehicle& vehicle = *model.vehicle;
+  const auto refuse = [&](const char* key, const char* how) {
+    throw UserError(Diagnostics{{event.input_where,
+                                 fmt::format("input {} {} the vehicle's \"{}\"", in_quotes(*event.input), how, key),
+                                 fmt::format("give the event \"{}\" in place of \"input\"", key),
+                                 {}}});
+  };
+  if (input == vehicle.steer) refuse("steer", "is");
+  if (input == vehicle.drive) refuse("drive", "is");
+  if (input == vehicle.brake) refuse("brake", "is");
+  for (int i = vehicle.steer; i >= 0; i = model.inputs[static_cast<std::size_t>(i)].derivative)
+    if (i == input) refuse("steer", "is a derivative of");
+}
+
 [[noreturn]] void refuse_input(const Model& model, const Event& event) {
   std::vector<std::string_view> known;
   for (const Input& input : model.inputs) known.push_back(input.name);
@@ -47,6 +63,24 @@ struct Planner {
       throw UserError(fmt::format("{}: {:.6g} rad at the steering input are beyond its steer_limit, {:.6g} rad\n", file,
                                   steer, *limit));
     return steer;
+  }
+
+  /// Fails if the sum of a signal's parts goes beyond the limit, at instants of control up to the end of its
+  /// changes.
+  void check_limit(const Signal& steer, double end, double period) const {
+    constexpr double kMostInstants = 1e6, kRounding = 1e-9;
+    const std::optional<double>& limit = vehicle().steer_limit;
+    if (!limit) return;
+    const double step = std::max(period, end / kMostInstants), count = std::ceil(end / step);
+    double most = 0, when = 0;
+    for (double i = 0; i <= count; ++i) {
+      const double t = std::min(i * step, end), angle = steer.at(t).value;
+      if (std::abs(angle) > std::abs(most)) most = angle, when = t;
+    }
+    if (std::abs(most) > *limit * (1 + kRounding))
+      throw UserError(
+          fmt::format("{}: {:.6g} rad at the steering input at t = {:.4g} s are beyond its steer_limit, {:.6g} rad\n",
+                      file, most, when, *limit));
   }
 
   /// A plan at constant speed, with steering by its signal or by the driver.
@@ -91,13 +125,17 @@ struct Planner {
   }
 
   Plan operator()(const SweepManoeuvre& sweep) const {
-    constexpr double kSweep = 40, kBefore = 1;  // s
+    constexpr double kSweep = 40, kBefore = 1, kAfter = 3;  // s; behind it the response dies out
     Plan plan = at_speed(sweep, true);
-    plan.duration = sweep.duration.value_or(kBefore + kSweep);
-    if (plan.duration <= kBefore)
-      throw UserError(fmt::format("{}: /duration: a sweep begins after {} s\n", file, kBefore));
+    const double straight = kBefore + sweep_fade(sweep.last_frequency) + kAfter;
+    plan.duration = sweep.duration.value_or(kSweep + straight);
+    if (plan.duration <= straight)
+      throw UserError(
+          fmt::format("{}: /duration: {:g} s are too short for a sweep: {:g} s of them are before and behind "
+                      "it\n  hint: leave it out for a sweep of {:g} s\n",
+                      file, plan.duration, straight, kSweep));
     plan.steer.add_sweep(amplitude(sweep, sweep), kBefore, sweep.first_frequency, sweep.last_frequency,
-                         plan.duration - kBefore);
+                         plan.duration - straight);
     return plan;
   }
 
@@ -163,7 +201,9 @@ Plan Planner::operator()(const EventManoeuvre& events) const {
       const auto has_name = [&](const Input& input) { return input.name == *event.input; };
       const auto input = std::find_if(model.inputs.begin(), model.inputs.end(), has_name);
       if (input == model.inputs.end()) refuse_input(model, event);
-      plan.others.push_back({static_cast<int>(input - model.inputs.begin()), event.at, event.over, event.value});
+      const int place = static_cast<int>(input - model.inputs.begin());
+      refuse_own_input(model, event, place);
+      plan.others.push_back({place, event.at, event.over, event.value});
     } else {
       if (event.drive) torque.drive = *event.drive;
       if (event.brake) torque.drive = 0, torque.brake = *event.brake;
@@ -176,6 +216,7 @@ Plan Planner::operator()(const EventManoeuvre& events) const {
     }
     last = std::max(last, end);
   }
+  check_limit(plan.steer, last, events.period);
   plan.length_of = "events";
   plan.duration = last + kSettles;
   return plan;
@@ -202,7 +243,12 @@ Plan Planner::operator()(const CircleManoeuvre& circle) const {
     const bool is_slow = circle.method == CircleManoeuvre::Method::speed;
     if (is_slow) {
       plan.duration = circle.duration.value_or(kSlowly);
-      plan.steer.add_ramp(angle, kStraight, std::abs(angle) / plan.duration);
+      // The ramp takes as long as its change at the full rate, and at most a second more.
+      const double rest = plan.duration - kStraight, whole = std::max(rest - 1, rest / 2);
+      if (whole <= 0)
+        throw UserError(fmt::format("{}: /duration: the steering begins after {:g} s, got {:g} s\n", file, kStraight,
+                                    plan.duration));
+      plan.steer.add_ramp(angle, kStraight, std::abs(angle) / whole);
       return plan;
     }
     plan.steer.add_change(angle, kStraight, kTransition);
@@ -261,7 +307,9 @@ Plan Planner::operator()(const TrackManoeuvre& manoeuvre) const {
   for (const double speed : track.speeds) plan.duration += track.path.spacing / speed;
   plan.duration = kLonger * plan.duration + kSettles;
   plan.length_of = "path";
-  plan.last_way = track.path.spacing * static_cast<double>(track.path.points.size() - 1);
+  // A closed course ends at its start, behind its last point.
+  plan.last_way = manoeuvre.is_closed ? track.length * manoeuvre.laps
+                                      : track.path.spacing * static_cast<double>(track.path.points.size() - 1);
   drive_along(plan, track.path);
   plan.track = std::move(track);
   return plan;

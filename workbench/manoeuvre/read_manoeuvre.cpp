@@ -78,6 +78,8 @@ void read_event(Reader& reader, const Value& value, std::vector<Event>& events) 
   require_one(reader, value, {"steer", "steer_table", "drive", "brake", "speed", "free", "input"});
   check_speed(reader, value, "speed", event.speed);
   if (event.frequency && !event.steer) report(reader, *find(value, "frequency"), "goes with \"steer\"");
+  if (const Value* is_free = find(value, "free"); is_free && !event.is_free && is_free->kind == Value::Kind::boolean)
+    report(reader, *is_free, "must be true, which puts the gear in neutral: leave out an event without it");
   if (event.input) event.input_where = where_of(reader.documents, find(value, "input")->place);
   if (event.input && !find(value, "value")) report(reader, value, "key \"value\" is missing");
   if (!events.empty() && event.at < events.back().at)
@@ -96,8 +98,21 @@ void check(Reader& reader, const Value&, Written<EventManoeuvre>& written) {
 void check(Reader& reader, const Value& value, Written<CircleManoeuvre>& written) {
   const bool is_of_radius = written.method == CircleManoeuvre::Method::radius;
   const std::string_view wanted = is_of_radius ? "radius" : "steer";
+  const std::string_view unused = is_of_radius ? "steer" : "radius";
   if (!find(value, wanted)) report(reader, value, "key " + in_quotes(wanted) + " is missing");
+  if (const Value* other = find(value, unused))
+    report(reader, *other, fmt::format("has no effect at this \"method\", which takes {}", in_quotes(wanted)),
+           "leave it out, or give \"method\": constant_radius, constant_speed or constant_steer");
+  if (const Value* steer = find(value, "steer"); steer && !is_of_radius && written.steer == 0.0)
+    report(reader, *steer, "must not be 0: the vehicle would drive straight on");
   check_speed(reader, value, "last_speed", written.last_speed);
+  for (const std::string_view of_speed : {"last_speed", "acceleration"})
+    if (const Value* other = find(value, of_speed); other && written.method == CircleManoeuvre::Method::speed)
+      report(reader, *other, "has no effect at constant_speed, which ends at the angle \"steer\": leave it out");
+  if (written.last_speed && written.speed && *written.last_speed < *written.speed)
+    report(reader, *find(value, "last_speed"),
+           fmt::format("must be at least the speed at the start, {:g} m/s, got {:g}", *written.speed,
+                       *written.last_speed));
   if (const Value* radius = find(value, "radius")) written.radius_where = where_of(reader.documents, radius->place);
 }
 
@@ -125,6 +140,9 @@ void check(Reader& reader, const Value& value, Written<BrakingManoeuvre>& writte
   require_one(reader, value, {"brake", "deceleration"});
   check_acceleration(reader, value, "deceleration", written.deceleration);
   written.is_split = written.type == "mu_split_braking";
+  if (written.speed && written.last_speed >= *written.speed)
+    report(reader, member_or_object(value, "last_speed"),
+           fmt::format("must be below the speed at the start, {:g} m/s, got {:g}", *written.speed, written.last_speed));
 }
 
 void check(Reader&, const Value&, Written<LaneManoeuvre>&) {}

@@ -36,24 +36,29 @@ Rates smooth_step(double u) {
 
 Rates Signal::at(double t) const {
   Rates sum;
-  for (const auto& part : parts) {
-    const Rates rates = part(t);
+  for (const Part& part : parts) {
+    const Rates rates = t < part.end ? part.rates(t) : Rates{part.held, 0, 0};
     sum = {sum.value + rates.value, sum.rate + rates.rate, sum.acceleration + rates.acceleration};
   }
   return sum;
 }
 
 void Signal::add(double value) {
-  parts.emplace_back([value](double) { return Rates{value, 0, 0}; });
+  parts.push_back({[value](double) { return Rates{value, 0, 0}; }});
 }
 
 void Signal::add_change(double change, double at, double over) {
-  parts.emplace_back([=](double t) { return smooth_change(change, at, over, t); });
+  parts.push_back({[=](double t) { return smooth_change(change, at, over, t); }});
 }
 
 void Signal::go_to(double value, double at, double over) {
-  constexpr double kLater = 1e9;  // s, after the end of all changes
-  add_change(value - this->at(kLater).value, at, over);
+  const double present = this->at(at).value;
+  for (Part& part : parts) {
+    if (part.end <= at) continue;
+    part.held = part.rates(at).value;
+    part.end = at;
+  }
+  add_change(value - present, at, over);
 }
 
 void Signal::add_ramp(double change, double at, double rate) {
@@ -64,46 +69,48 @@ void Signal::add_ramp(double change, double at, double rate) {
     const double v = std::min(1.0, u / rise);
     return rise * v * v * v * v * (2.5 + v * (v - 3)) + std::max(0.0, u - rise);
   };
-  parts.emplace_back([=](double t) {
+  parts.push_back({[=](double t) {
     const double begin = t - at, end = begin - whole;
     const Rates up = smooth_step(begin / rise), down = smooth_step(end / rise);
     return Rates{signed_rate * (integral(begin) - integral(end)), signed_rate * (up.value - down.value),
                  signed_rate * (up.rate - down.rate) / rise};
-  });
+  }});
 }
 
 void Signal::add_sine(double amplitude, double at, double frequency, double cycles) {
   const double turning = 2 * std::numbers::pi * frequency, end = at + cycles / frequency;
-  parts.emplace_back([=](double t) {
+  parts.push_back({[=](double t) {
     const double s = std::min(t, end) - at;
     if (s <= 0) return Rates{};
     const Rates sine = sine_of({turning * s, turning, 0});
     if (t >= end) return Rates{amplitude * sine.value, 0, 0};
     return Rates{amplitude * sine.value, amplitude * sine.rate, amplitude * sine.acceleration};
-  });
+  }});
 }
 
 void Signal::add_sine_with_dwell(double amplitude, double at, double frequency, double dwell) {
   const double turning = 2 * std::numbers::pi * frequency, peak = 0.75 / frequency, end = 1 / frequency;
-  parts.emplace_back([=](double t) {
+  parts.push_back({[=](double t) {
     const double s = t - at < peak ? t - at : std::max(peak, t - at - dwell);
     if (s <= 0 || s >= end) return Rates{};
     const Rates sine = sine_of({turning * s, turning, 0});
     if (s == peak) return Rates{amplitude * sine.value, 0, 0};
     return Rates{amplitude * sine.value, amplitude * sine.rate, amplitude * sine.acceleration};
-  });
+  }});
 }
 
 void Signal::add_sweep(double amplitude, double at, double first_frequency, double last_frequency, double duration) {
   const double growth = std::log(last_frequency / first_frequency) / duration;  // 1/s
-  const double turning = 2 * std::numbers::pi * first_frequency;
-  parts.emplace_back([=](double t) {
-    const double s = std::min(t - at, duration);
-    if (s <= 0) return Rates{};
+  const double turning = 2 * std::numbers::pi * first_frequency, fade = sweep_fade(last_frequency);
+  parts.push_back({[=](double t) {
+    const double s = t - at;
+    if (s <= 0 || s >= duration + fade) return Rates{};
     const double factor = std::exp(growth * s);
     const Rates sine = sine_of({turning * (factor - 1) / growth, turning * factor, turning * growth * factor});
-    return product(smooth_change(amplitude, 0, 1 / first_frequency, s), sine);
-  });
+    const Rates fall = smooth_change(1, duration, fade, s);
+    return product(product(smooth_change(amplitude, 0, 1 / first_frequency, s), sine),
+                   {1 - fall.value, -fall.rate, -fall.acceleration});
+  }});
 }
 
 void Signal::add_table(const std::vector<std::array<double, 2>>& points, double at) {
@@ -113,7 +120,11 @@ void Signal::add_table(const std::vector<std::array<double, 2>>& points, double 
     y.push_back(point[1]);
   }
   const Course course = pchip(t, y), rate = derivative(course), acceleration = derivative(rate);
-  parts.emplace_back([=](double now) { return Rates{course.at(now), rate.at(now), acceleration.at(now)}; });
+  parts.push_back({[=](double now) {
+    constexpr double kRounding = 1e-9;  // s
+    if (now <= at + kRounding) return Rates{};
+    return Rates{course.at(now), rate.at(now), acceleration.at(now)};
+  }});
 }
 
 }  // namespace mbgen

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace mbgen {
@@ -14,7 +15,12 @@ struct Rates {
 
 /// A sum of parts; without any it is zero.
 struct Signal {
-  std::vector<std::function<Rates(double t)>> parts;
+  struct Part {
+    std::function<Rates(double t)> rates;
+    double end = std::numeric_limits<double>::infinity();  ///< s: from there on it has the value `held`
+    double held = 0;
+  };
+  std::vector<Part> parts;
 
   Rates at(double t) const;
   /// Adds a constant.
@@ -22,7 +28,7 @@ struct Signal {
   /// Adds `change` from the instant `at` on, over some seconds as 10 u^3 - 15 u^4 + 6 u^5: the second derivative is
   /// continuous, and the largest rate is kSmoothRate change / over.
   void add_change(double change, double at, double over);
-  /// Adds the change to a final value; it accounts for earlier changes that still continue.
+  /// Adds the change from the present value to a final one; earlier parts that still move end at its begin.
   void go_to(double value, double at, double over);
   /// Adds a change at a constant rate; it begins and ends within a second.
   void add_ramp(double change, double at, double rate);
@@ -30,13 +36,17 @@ struct Signal {
   void add_sine(double amplitude, double at, double frequency, double cycles);
   /// Adds one cycle of a sine that rests for `dwell` seconds at its second peak.
   void add_sine_with_dwell(double amplitude, double at, double frequency, double dwell);
-  /// Adds a sine with exponentially growing frequency over `duration`; its amplitude grows during the first cycle.
+  /// Adds a sine with exponentially growing frequency over `duration`; its amplitude grows during the first cycle and
+  /// falls behind the last one, for the time of sweep_fade.
   void add_sweep(double amplitude, double at, double first_frequency, double last_frequency, double duration);
-  /// Adds PCHIP interpolation of points, times since `at`.
+  /// Adds PCHIP interpolation of points, times since `at`; zero until then.
   void add_table(const std::vector<std::array<double, 2>>& points, double at);
 };
 
 constexpr double kSmoothRate = 1.875;
+
+/// Time in which the amplitude of a sweep falls to zero, s: a cycle.
+inline double sweep_fade(double last_frequency) { return 1 / last_frequency; }
 
 /// 10 u^3 - 15 u^4 + 6 u^5 and its derivatives by u, constant outside 0 to 1.
 Rates smooth_step(double u);

@@ -179,7 +179,9 @@ std::span<const Field<Written<CircleManoeuvre>>> fields<Written<CircleManoeuvre>
                              .words = kMethods}),
        field<F, &F::radius>(open_number("radius", "of the circle that the driver follows, at constant_radius", "m")),
        field<F, &F::steer>(angle("steer", "at the input: held at constant_steer, the last one at constant_speed")),
-       field<F, &F::last_speed>(open_number("last_speed", "final speed; default: until the limit below", "m/s")),
+       field<F, &F::last_speed>(
+           open_number("last_speed",
+                       "final speed; default: until the limit below, at constant_steer twice the first speed", "m/s")),
        field<F, &F::acceleration>(number("acceleration", "of the speed", "m/s^2", 0.1)),
        field<F, &F::largest_lateral_acceleration>(
            number("largest_lateral_acceleration", "at which the manoeuvre ends", "m/s^2", 5)),

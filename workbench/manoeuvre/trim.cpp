@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "compiler/text/user_error.hpp"
 #include "runtime/generic/generic.hpp"
@@ -103,7 +104,7 @@ class PaceWay {
     trim.lateral_acceleration = trim.speed * trim.yaw_rate;
     trim.steer = point.inputs[static_cast<std::size_t>(vehicle.steer)];
     if (vehicle.drive >= 0) trim.drive = point.inputs[static_cast<std::size_t>(vehicle.drive)];
-    trim.sideslip = heading_ - y[index("vehicle_heading")];
+    trim.sideslip = std::remainder(heading_ - y[index("vehicle_heading")], 2 * std::numbers::pi);
     trim.roll = y[index("vehicle_roll")];
     trim.pitch = y[index("vehicle_pitch")];
     trim.loads.assign(y.end() - static_cast<std::ptrdiff_t>(c_.model.tyres.size()), y.end());

@@ -68,6 +68,27 @@ PlaneMotion plane_motion(const double* y, double remainder, double last_heading)
   return {y[kX], y[kY], heading, c * y[kVx] + s * y[kVy], c * y[kVy] - s * y[kVx], c * y[kAy] - s * y[kAx]};
 }
 
+/// Fails for an input of the vehicle in a unit other than those in which manoeuvres and trims set it.
+void require_unit(const Model& model, int input, const char* key, std::initializer_list<std::string_view> units) {
+  if (input < 0) return;
+  const Input& one = model.inputs[static_cast<std::size_t>(input)];
+  if (one.unit.empty() || std::ranges::find(units, one.unit) != units.end()) return;
+  throw UserError(
+      Diagnostics{{one.where,
+                   fmt::format("input \"{}\" is the vehicle's \"{}\": manoeuvres and trims set it in {}, not in {}",
+                               one.name, key, *units.begin(), one.unit),
+                   fmt::format("declare it in {}, and convert it where the model uses it", *units.begin()),
+                   {}}});
+}
+
+void require_units(const Model& model) {
+  const Vehicle& vehicle = *model.vehicle;
+  // A rack may be moved or pushed: steer_ratio has its unit then.
+  require_unit(model, vehicle.steer, "steer", {"rad", "1", "m", "N", "N m", "N*m", "Nm"});
+  require_unit(model, vehicle.drive, "drive", {"N m", "N*m", "Nm"});
+  require_unit(model, vehicle.brake, "brake", {"N m", "N*m", "Nm"});
+}
+
 }  // namespace
 
 std::vector<int> axles_of_tyres(const Model& model) {
@@ -88,6 +109,7 @@ VehicleFacts vehicle_facts(const Model& model) {
                     model.file));
   }
   if (model.tyres.empty()) throw UserError(fmt::format("{}: the vehicle has no tyres\n", model.file));
+  require_units(model);
   const Vehicle& vehicle = *model.vehicle;
   VehicleFacts facts;
   for (const Body& body : model.bodies) facts.mass += body.mass.value;

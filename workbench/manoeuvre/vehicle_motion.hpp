@@ -27,7 +27,7 @@ struct VehicleFacts {
 std::vector<int> axles_of_tyres(const Model& model);
 
 /// Tyres belong to one axle if their centres are within kSameAxle of each other along x. Fails: UserError without a
-/// vehicle or without tyres.
+/// vehicle, without tyres, or for an input of the vehicle in a unit other than rad and N m.
 VehicleFacts vehicle_facts(const Model& model);
 constexpr double kSameAxle = 0.3;  // m
 
