@@ -60,6 +60,11 @@ TEST(ImportMjcfDefaults, TellsWhereVersionsOfMujocoDiffer) {
   EXPECT_FALSE(has_note(imported_hinge("<velocity kv='5'/>", "<motor name='p' joint='h'/>"), note));
 }
 
+TEST(ImportMjcf, TellsRangesThatAServoTakesFromItsJoint) {
+  EXPECT_TRUE(has_note(imported_hinge("", "<position name='p' joint='h' inheritrange='1'/>"),
+                       "inheritrange of <position> is not carried over: the input is not bounded"));
+}
+
 TEST(ImportMjcfDefaults, LawsWithoutCounterpartAreToldWhereTheyReachAnActuator) {
   const std::string note = "actuator <general>: it is not carried over";
   EXPECT_TRUE(has_note(imported_hinge("<damper kv='3' ctrlrange='0 1'/>", "<general name='p' joint='h'/>"), note));

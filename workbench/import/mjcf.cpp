@@ -44,6 +44,7 @@ void note_losses(Mjcf& mjcf, const Element& root) {
 void import_mjcf(Reading& reading, const Element& written, Assembly& assembly) {
   Mjcf mjcf{reading, assembly};
   note_left_out(reading, written, kMjcf);
+  check_words(reading, written);
   Element root = written;
   read_settings(mjcf, root);
   expand_replicates(mjcf, root);

@@ -110,6 +110,9 @@ struct Mjcf {
 /// Counts a loss reported by one note; `text` follows the number of places.
 void lose(Mjcf& mjcf, Spot spot, const std::string& text);
 
+/// Checks attributes that take one of a few words. Fails: with a problem for each other word.
+void check_words(Reading& reading, const Element& root);
+
 /// <compiler>, <option>, <default>.
 void read_settings(Mjcf& mjcf, const Element& root);
 

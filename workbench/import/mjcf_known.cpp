@@ -92,7 +92,7 @@ constexpr std::array<KnownElement, 65> kElementsOfMjcf = {{
      "name class gear joint jointinparent tendon ctrllimited forcelimited ctrlrange "
      "forcerange kp kv dampratio timeconst",
      "group user lengthrange cranklength slidersite cranksite site refsite nsample "
-     "interp inheritrange"},
+     "interp"},
     {"actuator/velocity",
      "name class gear joint jointinparent tendon ctrllimited forcelimited ctrlrange "
      "forcerange kv",
@@ -115,7 +115,7 @@ constexpr std::array<KnownElement, 65> kElementsOfMjcf = {{
     {"actuator/plugin", "", "", "-"},
 }};
 
-constexpr std::array<LostAttribute, 20> kLost = {{
+constexpr std::array<LostAttribute, 21> kLost = {{
     {"body/joint", "actuatorfrcrange", "forces of actuators are not bounded"},
     {"body/joint", "actuatorfrclimited", "forces of actuators are not bounded"},
     {"body/geom", "fluidcoef", "there are no forces of a medium"},
@@ -130,6 +130,7 @@ constexpr std::array<LostAttribute, 20> kLost = {{
     {"actuator/position", "armature", "the inertia of the motor is missing"},
     {"actuator/position", "damping", "the damping of the motor is missing"},
     {"actuator/position", "delay", "inputs act at once"},
+    {"actuator/position", "inheritrange", "the input is not bounded by the range of its joint"},
     {"actuator/velocity", "armature", "the inertia of the motor is missing"},
     {"actuator/velocity", "damping", "the damping of the motor is missing"},
     {"actuator/velocity", "delay", "inputs act at once"},
