@@ -64,7 +64,7 @@ TEST_F(InversePath, StatesChangeAlongThePath) {
     path += fmt::format("{},{},{}\n", t, 0.5 * std::sin(2 * t), -0.1 * std::sin(4 * t));
   }
   write("path.csv", path);
-  for (const std::string& engine : {"generic", "generated"}) {
+  for (const std::string engine : {"generic", "generated"}) {
     const std::string options = "' --engine " + engine + " --step 1e-3 --out ";
     const Outcome run = mbgen("simulate '" + arm + options + "forces.csv --inverse --path path.csv");
     ASSERT_EQ(run.exit_code, 0) << run.err;
