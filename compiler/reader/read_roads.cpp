@@ -5,9 +5,9 @@
 
 #include "compiler/expressions/spline_coefficients.hpp"
 #include "compiler/formats/rough_road.hpp"
-#include "compiler/reader/tables/csv_table.hpp"
 #include "compiler/reader/raw.hpp"
 #include "compiler/reader/reader.hpp"
+#include "compiler/reader/tables/csv_table.hpp"
 
 namespace mbgen::reading {
 namespace {
@@ -118,7 +118,8 @@ void read_iso_road(Reader& reader, const Value& value, Road& road) {
 std::vector<std::array<double, 2>> read_heights(Reader& reader, const Value& value, const RoadProfileFields& fields,
                                                 const std::string& column, const char* key) {
   constexpr double kEqual = 1e-6;  // of a distance
-  std::vector<std::array<double, 2>> points = read_csv_table(reader, value, {fields.x, column, key});
+  std::vector<std::array<double, 2>> points =
+      read_csv_table(reader, value, {.x = fields.x, .y = column, .key_of_y = key, .unit = "m"});
   if (points.size() < 2) return {};
   const double spacing = (points.back()[0] - points.front()[0]) / static_cast<double>(points.size() - 1);
   for (std::size_t i = 0; i < points.size(); ++i) {

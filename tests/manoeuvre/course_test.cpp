@@ -90,7 +90,7 @@ TEST(Tracks, FaultsOfTheTableHaveTheirLine) {
   EXPECT_EQ(error_of("x,y\n0,0\n1\n"), "t.csv:3: must have 2 fields like the header, found 1");
   EXPECT_EQ(error_of("x,y\n0,0\n0,0\n"), "t.csv:3: the point is the one before");
   EXPECT_EQ(error_of("x,y,speed\n0,0,0\n"), "t.csv:2: speed must be above 0, got 0");
-  EXPECT_EQ(error_of("x,y\n0,0\n1,0\n"), "t.csv:4: a track needs at least 4 points, got 2");
+  EXPECT_EQ(error_of("x,y\n0,0\n1,0\n"), "t.csv:3: a track needs at least 4 points, got 2");
   EXPECT_NE(error_of("x,y\n0,nan\n1,0\n"), "none");
   EXPECT_EQ(error_of(""), "t.csv:1: a track needs at least 4 points, got 0");
 }

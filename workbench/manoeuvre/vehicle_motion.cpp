@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
+#include "compiler/expressions/unit_exponents.hpp"
 #include "compiler/model/element_access.hpp"
 #include "compiler/text/user_error.hpp"
 
@@ -68,25 +70,28 @@ PlaneMotion plane_motion(const double* y, double remainder, double last_heading)
   return {y[kX], y[kY], heading, c * y[kVx] + s * y[kVy], c * y[kVy] - s * y[kVx], c * y[kAy] - s * y[kAx]};
 }
 
-/// Fails for an input of the vehicle in a unit other than those in which manoeuvres and trims set it.
-void require_unit(const Model& model, int input, const char* key, std::initializer_list<std::string_view> units) {
+/// Fails for an input of the vehicle in a multiple of a unit in which manoeuvres and trims set it.
+void require_unit(const Model& model, int input, const char* key, std::initializer_list<const char*> units) {
   if (input < 0) return;
   const Input& one = model.inputs[static_cast<std::size_t>(input)];
-  if (one.unit.empty() || std::ranges::find(units, one.unit) != units.end()) return;
-  throw UserError(
-      Diagnostics{{one.where,
-                   fmt::format("input \"{}\" is the vehicle's \"{}\": manoeuvres and trims set it in {}, not in {}",
-                               one.name, key, *units.begin(), one.unit),
-                   fmt::format("declare it in {}, and convert it where the model uses it", *units.begin()),
-                   {}}});
+  const std::optional<UnitExponents> found = unit_exponents(one.unit);
+  if (!found || found->factor == 1) return;
+  for (const char* unit : units) {
+    if (!are_alike(*found, *unit_exponents(unit))) continue;
+    throw UserError(
+        Diagnostics{{one.where,
+                     fmt::format("input \"{}\" is the vehicle's \"{}\": manoeuvres and trims set it in {}, not in {}",
+                                 one.name, key, unit, one.unit),
+                     fmt::format("declare it in {}, and convert it where the model uses it", unit),
+                     {}}});
+  }
 }
 
 void require_units(const Model& model) {
   const Vehicle& vehicle = *model.vehicle;
-  // A rack may be moved or pushed: steer_ratio has its unit then.
-  require_unit(model, vehicle.steer, "steer", {"rad", "1", "m", "N", "N m", "N*m", "Nm"});
-  require_unit(model, vehicle.drive, "drive", {"N m", "N*m", "Nm"});
-  require_unit(model, vehicle.brake, "brake", {"N m", "N*m", "Nm"});
+  require_unit(model, vehicle.steer, "steer", {"rad", "m", "N", "N m"});
+  require_unit(model, vehicle.drive, "drive", {"N m", "N"});
+  require_unit(model, vehicle.brake, "brake", {"N m", "N"});
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ bool CsvLines::next() {
   return true;
 }
 
-std::string CsvLines::place() const { return fmt::format("{}:{}", file_, number_); }
+std::string CsvLines::place() const { return fmt::format("{}:{}", file_, std::max(1, number_)); }
 
 Result<Results> read_csv(std::string_view text, const std::string& file) {
   Results results;

@@ -35,7 +35,7 @@ class CsvLines {
   const std::vector<std::string>& fields() const { return fields_; }
   bool is_header() const { return lines_ == 1; }
   int number() const { return number_; }
-  /// FILE:LINE
+  /// FILE:LINE of the line; at the end of the last one, of an empty file of its begin.
   std::string place() const;
 
  private:

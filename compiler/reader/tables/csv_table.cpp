@@ -11,6 +11,7 @@
 #include <iterator>
 #include <optional>
 
+#include "compiler/expressions/unit_exponents.hpp"
 #include "compiler/text/characters.hpp"
 #include "compiler/text/number.hpp"
 #include "compiler/text/read_text.hpp"
@@ -60,6 +61,25 @@ std::optional<double> number_of(std::string_view text) {
 }
 
 bool is_shown(const Reader& reader, Place place) { return reader.documents[place.file].is_shown; }
+
+/// Reports a unit of a heading in which the numbers would be others than those of the model. Result: whether it fits.
+bool has_unit(Reader& reader, const CsvField& heading, const CsvColumns& columns) {
+  const std::string_view name = name_of(heading.text);
+  if (!columns.are_si || name == heading.text) return true;
+  const std::string_view written = heading.text.substr(heading.text.rfind('[') + 1);
+  const std::string_view unit = without_blanks(written.substr(0, written.size() - 1));
+  const std::optional<UnitExponents> found = unit_exponents(unit), wanted = unit_exponents(columns.unit);
+  const bool is_si = !found || found->factor == 1;
+  const bool is_alike = columns.unit.empty() || (found && wanted && are_alike(*found, *wanted));
+  if (is_si && is_alike) return true;
+  report(reader, heading.place,
+         is_shown(reader, heading.place)
+             ? fmt::format("column {} is in {}; numbers of a model are in {}", in_quotes(name), in_quotes(unit),
+                           columns.unit.empty() ? "m, rad, s, kg, N and their products" : columns.unit)
+             : "unit of the column is not the one of the model",
+         "convert the numbers");
+  return false;
+}
 
 /// Index of a named column; nothing with a problem.
 std::optional<std::size_t> find_column(Reader& reader, const Value& table, std::string_view key,
@@ -162,7 +182,7 @@ std::vector<std::array<double, 2>> read_csv_table(Reader& reader, const Value& t
     if (!x) {
       x = find_column(reader, table, "x", columns.x, fields);
       y = find_column(reader, table, columns.key_of_y, columns.y, fields);
-      if (!x || !y) return {};
+      if (!x || !y || !has_unit(reader, fields[*x], columns) || !has_unit(reader, fields[*y], columns)) return {};
       if (number_of(fields[*x].text) && number_of(fields[*y].text)) {
         report(reader, fields[0].place, "first line must hold the names of the columns, got numbers");
         return {};

@@ -69,11 +69,11 @@ void note_overshoot(Reader& reader, const Value& value, const Table& table) {
        "\"interpolation\": \"monotone_cubic\" and \"linear\" stay within the points");
 }
 
-/// The table of its fields, which were read from `value`.
-Table table_of(Reader& reader, const Value& value, TableFields& fields) {
+/// The table of its fields, which were read from `value`. are_si: see CsvColumns.
+Table table_of(Reader& reader, const Value& value, TableFields& fields, bool are_si) {
   check_table(reader, value);
   if (fields.csv && find(value, "csv")->kind == Value::Kind::text)
-    fields.points = read_csv_table(reader, value, {fields.x, fields.y});
+    fields.points = read_csv_table(reader, value, {.x = fields.x, .y = fields.y, .are_si = are_si});
   Table target{fields.interpolation, {}, {}, fields.periodic, {}, {}};
   for (const auto& [x, y] : fields.points) {
     target.x.push_back(x);
@@ -213,7 +213,7 @@ void read_value(Reader& reader, const Value& value, const FieldInfo&, Table& tar
   }
   TableFields fields = with_defaults<TableFields>();
   read_fields(reader, value, fields);
-  target = table_of(reader, value, fields);
+  target = table_of(reader, value, fields, true);
 }
 
 void read_value(Reader& reader, const Value& value, const FieldInfo& info, std::vector<double>& target) {
@@ -234,7 +234,7 @@ void read_tables(Reader& reader, const Entries& entries) {
     const bool holds = fields.outside == Outside::hold;
     if (holds && fields.periodic)
       report(reader, *find(value, "outside"), "a periodic table has no outside", "leave out \"outside\"");
-    return std::make_shared<NamedTable>(NamedTable{table_of(reader, value, fields), holds, fields.periodic});
+    return std::make_shared<NamedTable>(NamedTable{table_of(reader, value, fields, false), holds, fields.periodic});
   });
 }
 
