@@ -70,7 +70,9 @@ class PathFollower {
       if (const Status status = poses_.assemble(state, targets); !status.ok())
         stop(describe(compilation_, status), state.t);
     }
-    if (!periods_.empty()) sample(state);
+    if (periods_.empty()) return;
+    motion_at(state);
+    sample(state);
   }
 
   /// Moves a state along the path to an instant: its auxiliary states change at their rates in the motion of the path,
@@ -134,9 +136,8 @@ class PathFollower {
     return forced;
   }
 
-  /// Sets the sampled values that are due.
+  /// Sets the sampled values that are due. Requires: motion_at the state, whose forces are inputs.
   void sample(GenericState& state) {
-    motion_at(state);
     bool any = false;
     if (const Status status = poses_.sample(state, 0, any); !status.ok()) stop(describe(compilation_, status), state.t);
   }
@@ -154,8 +155,8 @@ class PathFollower {
     return derivative.xd;
   }
 
-  /// Steps of variable length to an instant. Source: P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge-Kutta formulas",
-  /// Appl. Math. Lett. 2(4), 1989.
+  /// Steps of variable length to an instant, and motion_at it. Source: P. Bogacki, L. F. Shampine, "A 3(2) pair of
+  /// Runge-Kutta formulas", Appl. Math. Lett. 2(4), 1989.
   void integrate(GenericState& state, double end) {
     double step = end - state.t;
     const auto sum = [](double h, std::initializer_list<std::pair<double, const std::vector<double>*>> terms) {
@@ -164,15 +165,15 @@ class PathFollower {
         for (std::size_t i = 0; i < result.size(); ++i) result[i] += h * weight * (*slope)[i];
       return result;
     };
+    std::vector<double> k1 = rates(state, 0, {});  // of each next step the last stage of the one before
     for (bool is_last = false; !is_last;) {
       const double left = end - state.t;
       is_last = step >= left;
       const double h = is_last ? left : step;
-      const std::vector<double> k1 = rates(state, 0, {});
       const std::vector<double> k2 = rates(state, h / 2, sum(h, {{1.0 / 2, &k1}}));
       const std::vector<double> k3 = rates(state, 3 * h / 4, sum(h, {{3.0 / 4, &k2}}));
       const std::vector<double> change = sum(h, {{2.0 / 9, &k1}, {1.0 / 3, &k2}, {4.0 / 9, &k3}});
-      const std::vector<double> k4 = rates(state, h, change);
+      std::vector<double> k4 = rates(state, h, change);
       const std::vector<double> error = sum(h, {{-5.0 / 72, &k1}, {1.0 / 12, &k2}, {1.0 / 9, &k3}, {-1.0 / 8, &k4}});
       double share = 0;
       for (std::size_t i = 0; i < error.size(); ++i)
@@ -185,6 +186,7 @@ class PathFollower {
       }
       for (std::size_t i = 0; i < change.size(); ++i) state.x[i] += change[i];
       state.t = is_last ? end : state.t + h;
+      k1 = std::move(k4);
     }
     motion_at(state);
   }
